@@ -1,0 +1,35 @@
+// A family seen as a system whose right-hand side is inlined into the step.
+#pragma once
+
+#include "integrators/dual.hpp"
+#include "integrators/system.hpp"
+#include "integrators/tape.hpp"
+#include "reference/make_family.hpp"
+
+namespace odemark {
+
+/// State is std::array<T, size>. The family is held by value: its parameters can then live in registers.
+template <class F, class T>
+struct FamilySystem {
+  using State = std::array<T, F::size>;
+  F family;
+
+  void rhs(T t, const State& y, State& dydt) const { family.rhs(t, y.data(), dydt.data()); }
+  void acceleration(T t, const State& y, T* a) const requires HasAcceleration<F> {
+    family.acceleration(t, y.data(), a);
+  }
+  static constexpr bool force_depends_on_velocity() requires HasAcceleration<F> {
+    return F::force_depends_on_velocity;
+  }
+  void jacobian(T t, const State& y, MatrixView<T> j) const {
+    if constexpr (HasWrittenJacobian<F>)
+      family.jacobian(t, y.data(), j);
+    else
+      dual_jacobian(family, t, y.data(), j);
+  }
+  void linear_part(MatrixView<T> l) const requires HasLinear<F> { family.template linear_part<T>(l); }
+  Tape<T> tape() const { return record<T>(family, F::size); }
+  void count_series() const {}
+};
+
+}  // namespace odemark

@@ -1,0 +1,24 @@
+// The static tier: runs whose right-hand side is compiled into the step. Same bits as the erased tier, less
+// time.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "integrators/integrate.hpp"
+
+namespace odemark {
+
+struct StaticRun {
+  std::string_view family, method;
+  /// `values` is the Family<double> of a problem; y holds the state, in and out.
+  RunReport (*solve)(const void* values, const Control&, double t0, double t1, double* y);
+};
+
+/// Every method on every family marked `static` in problems/catalogue.txt, where the method applies.
+const std::vector<StaticRun>& suite_static_runs();
+
+/// Null where the pair is not compiled statically.
+const StaticRun* find_static_run(std::string_view family, std::string_view method);
+
+}  // namespace odemark

@@ -1,0 +1,205 @@
+# Reads integrators/catalogue.txt and problems/catalogue.txt and writes what follows from them: one unit per method,
+# one per family, and for the static tier one per family and chunk of methods. A method or a family is one file and
+# one line; nothing else names them.
+set(ODEMARK_GENERATED ${PROJECT_BINARY_DIR}/generated)
+
+# Touches a file only when its content changes, so that a configure does not rebuild the world.
+function(odemark_write path content)
+  file(CONFIGURE OUTPUT ${path} CONTENT "${content}" @ONLY)
+endfunction()
+
+# methods: ids; method_files: file stem of each
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/integrators/catalogue.txt ${PROJECT_SOURCE_DIR}/problems/catalogue.txt)
+file(STRINGS ${PROJECT_SOURCE_DIR}/integrators/catalogue.txt lines REGEX "^[a-z]")
+set(ODEMARK_METHODS)
+foreach(line ${lines})
+  string(STRIP "${line}" line)
+  if(line MATCHES "^([a-z0-9_]+)\\[([0-9]+)\\.\\.([0-9]+)\\]$")
+    foreach(n RANGE ${CMAKE_MATCH_2} ${CMAKE_MATCH_3})
+      list(APPEND ODEMARK_METHODS ${CMAKE_MATCH_1}${n})
+      set(file_of_${CMAKE_MATCH_1}${n} ${CMAKE_MATCH_1})
+    endforeach()
+  elseif(line MATCHES "^[a-z0-9_]+$")
+    list(APPEND ODEMARK_METHODS ${line})
+    set(file_of_${line} ${line})
+  else()
+    message(FATAL_ERROR "integrators/catalogue.txt: cannot read \"${line}\"; write an id, or name[first..last]")
+  endif()
+endforeach()
+
+set(includes "")
+set(declarations "")
+set(calls "")
+set(ODEMARK_METHOD_UNITS)
+foreach(method ${ODEMARK_METHODS})
+  set(header integrators/methods/${file_of_${method}}.hpp)
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${header})
+    message(FATAL_ERROR "integrators/catalogue.txt names ${method}, but ${header} does not exist")
+  endif()
+  string(APPEND includes "#include \"${header}\"\n")
+  string(APPEND declarations "AnyMethod erased_${method}();\n")
+  string(APPEND calls "    methods.push_back(erased_${method}());\n")
+  odemark_write(${ODEMARK_GENERATED}/methods/${method}.cpp
+"#include \"${header}\"
+#include \"integrators/erase_method.hpp\"
+namespace odemark {
+AnyMethod erased_${method}();
+AnyMethod erased_${method}() { return erase_method<${method}>(); }
+}
+")
+  list(APPEND ODEMARK_METHOD_UNITS ${ODEMARK_GENERATED}/methods/${method}.cpp)
+endforeach()
+list(REMOVE_DUPLICATES ODEMARK_METHODS)
+string(REPLACE ";" ", " names "${ODEMARK_METHODS}")
+odemark_write(${ODEMARK_GENERATED}/include/integrators/catalogue.hpp
+"// Every method of the suite, for code that instantiates them itself. Written from integrators/catalogue.txt.
+#pragma once
+${includes}
+namespace odemark {
+template <const auto&... methods>
+struct MethodList {};
+using SuiteMethods = MethodList<${names}>;
+}
+")
+odemark_write(${ODEMARK_GENERATED}/suite_methods.cpp
+"#include \"integrators/any_method.hpp\"
+namespace odemark {
+${declarations}
+const std::vector<AnyMethod>& suite_methods() {
+  static const std::vector<AnyMethod> all = [] {
+    std::vector<AnyMethod> methods;
+${calls}    return methods;
+  }();
+  return all;
+}
+}
+")
+list(APPEND ODEMARK_METHOD_UNITS ${ODEMARK_GENERATED}/suite_methods.cpp)
+
+# families
+file(STRINGS ${PROJECT_SOURCE_DIR}/problems/catalogue.txt lines REGEX "^[a-z]")
+set(declarations "")
+set(calls "")
+set(wide_calls "")
+set(wide_declarations "")
+set(static_declarations "")
+set(static_calls "")
+set(ODEMARK_FAMILY_UNITS)
+set(ODEMARK_WIDE_UNITS)
+set(ODEMARK_STATIC_UNITS)
+set(ODEMARK_FAMILIES)
+set(ODEMARK_STATIC_FAMILIES)
+set(chunk_size 7)
+foreach(line ${lines})
+  if(NOT line MATCHES "^([a-z0-9_]+) +([A-Za-z0-9]+)( +static)? *$")
+    message(FATAL_ERROR "problems/catalogue.txt: cannot read \"${line}\"; write: id ClassTemplate [static]")
+  endif()
+  set(id ${CMAKE_MATCH_1})
+  set(type ${CMAKE_MATCH_2})
+  set(tier "${CMAKE_MATCH_3}")
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/problems/${id}.hpp)
+    message(FATAL_ERROR "problems/catalogue.txt names ${id}, but problems/${id}.hpp does not exist")
+  endif()
+  list(APPEND ODEMARK_FAMILIES ${id})
+  string(APPEND declarations "AnyFamily family_${id}();\n")
+  string(APPEND calls "    families.push_back(family_${id}());\n")
+  string(APPEND wide_declarations "WideFamily wide_${id}();\n")
+  string(APPEND wide_calls "    families.push_back(wide_${id}());\n")
+  odemark_write(${ODEMARK_GENERATED}/families/${id}.cpp
+"#include \"problems/${id}.hpp\"
+#include \"reference/make_family.hpp\"
+namespace odemark {
+AnyFamily family_${id}();
+AnyFamily family_${id}() { return make_family<${type}>(); }
+}
+")
+  odemark_write(${ODEMARK_GENERATED}/wide/${id}.cpp
+"#include \"problems/${id}.hpp\"
+#include \"reference/make_wide_family.hpp\"
+namespace odemark {
+WideFamily wide_${id}();
+WideFamily wide_${id}() { return make_wide_family<${type}>(); }
+}
+")
+  list(APPEND ODEMARK_FAMILY_UNITS ${ODEMARK_GENERATED}/families/${id}.cpp)
+  list(APPEND ODEMARK_WIDE_UNITS ${ODEMARK_GENERATED}/wide/${id}.cpp)
+  if(tier)
+    list(APPEND ODEMARK_STATIC_FAMILIES ${id})
+    set(chunk "")
+    set(chunk_number 0)
+    set(filled 0)
+    foreach(method ${ODEMARK_METHODS} END)
+      if(method STREQUAL "END" OR filled EQUAL chunk_size)
+        if(filled GREATER 0)
+          set(unit ${ODEMARK_GENERATED}/static/${id}_${chunk_number}.cpp)
+          string(JOIN ", " list ${chunk})
+          set(headers "")
+          foreach(m ${chunk})
+            string(APPEND headers "#include \"integrators/methods/${file_of_${m}}.hpp\"\n")
+          endforeach()
+          odemark_write(${unit}
+"#include \"problems/${id}.hpp\"
+${headers}#include \"bench/make_static_runs.hpp\"
+namespace odemark {
+void static_${id}_${chunk_number}(std::vector<StaticRun>& runs);
+void static_${id}_${chunk_number}(std::vector<StaticRun>& runs) { add_static_runs<${type}<double>, ${list}>(runs); }
+}
+")
+          list(APPEND ODEMARK_STATIC_UNITS ${unit})
+          string(APPEND static_declarations "void static_${id}_${chunk_number}(std::vector<StaticRun>& runs);\n")
+          string(APPEND static_calls "    static_${id}_${chunk_number}(runs);\n")
+          math(EXPR chunk_number "${chunk_number} + 1")
+        endif()
+        set(chunk "")
+        set(filled 0)
+      endif()
+      if(NOT method STREQUAL "END")
+        list(APPEND chunk ${method})
+        math(EXPR filled "${filled} + 1")
+      endif()
+    endforeach()
+  endif()
+endforeach()
+odemark_write(${ODEMARK_GENERATED}/suite_families.cpp
+"#include \"reference/any_problem.hpp\"
+namespace odemark {
+${declarations}
+const std::vector<AnyFamily>& suite_families() {
+  static const std::vector<AnyFamily> all = [] {
+    std::vector<AnyFamily> families;
+${calls}    return families;
+  }();
+  return all;
+}
+}
+")
+list(APPEND ODEMARK_FAMILY_UNITS ${ODEMARK_GENERATED}/suite_families.cpp)
+odemark_write(${ODEMARK_GENERATED}/suite_wide_families.cpp
+"#include \"reference/wide_problem.hpp\"
+namespace odemark {
+${wide_declarations}
+const std::vector<WideFamily>& suite_wide_families() {
+  static const std::vector<WideFamily> all = [] {
+    std::vector<WideFamily> families;
+${wide_calls}    return families;
+  }();
+  return all;
+}
+}
+")
+list(APPEND ODEMARK_WIDE_UNITS ${ODEMARK_GENERATED}/suite_wide_families.cpp)
+odemark_write(${ODEMARK_GENERATED}/suite_static_runs.cpp
+"#include \"bench/static_run.hpp\"
+namespace odemark {
+${static_declarations}
+const std::vector<StaticRun>& suite_static_runs() {
+  static const std::vector<StaticRun> all = [] {
+    std::vector<StaticRun> runs;
+${static_calls}    return runs;
+  }();
+  return all;
+}
+}
+")
+list(APPEND ODEMARK_STATIC_UNITS ${ODEMARK_GENERATED}/suite_static_runs.cpp)

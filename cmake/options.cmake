@@ -1,0 +1,30 @@
+# What a builder may choose, and the flags that belong to targets because they change numbers.
+option(ODEMARK_WITH_SUNDIALS "CVODE and ARKODE as contestants" ON)
+option(ODEMARK_WITH_GSL "GSL's odeiv2 as contestants (GPL-3: affects the licence of the binary)" ON)
+option(ODEMARK_WITH_ODEINT "Boost.odeint as contestants" ON)
+option(ODEMARK_NATIVE "Peak speed: -march=native with contraction; rows say so and are never compared bit for bit" OFF)
+option(ODEMARK_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
+
+find_package(Eigen3 3.4 REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(Threads REQUIRED)
+
+# Contraction and Eigen's fast math would make results differ between -O levels, compilers and batch widths.
+add_library(odemark_numbers INTERFACE)
+add_library(odemark::numbers ALIAS odemark_numbers)
+set_target_properties(odemark_numbers PROPERTIES EXPORT_NAME numbers)
+target_compile_features(odemark_numbers INTERFACE cxx_std_20)
+target_compile_definitions(odemark_numbers INTERFACE EIGEN_FAST_MATH=0)
+if(ODEMARK_NATIVE)
+  target_compile_options(odemark_numbers INTERFACE -march=native -ffp-contract=fast)
+else()
+  target_compile_options(odemark_numbers INTERFACE -ffp-contract=off)
+endif()
+
+add_library(odemark_warnings INTERFACE)
+target_compile_options(odemark_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # false alarms on std::string in GCC 12 (its PR 105651)
+if(ODEMARK_WERROR)
+  target_compile_options(odemark_warnings INTERFACE -Werror)
+endif()

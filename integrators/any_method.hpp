@@ -1,0 +1,65 @@
+// A method whose type is gone: one row of the catalogue, callable for any system.
+#pragma once
+
+#include <functional>
+#include <tuple>
+
+#include "integrators/erased_system.hpp"
+#include "integrators/integrate.hpp"
+#include "integrators/theory.hpp"
+
+namespace odemark {
+
+/// What a traced run records besides its end: the state at given times, and a look at every accepted step.
+template <class T>
+struct Trace {
+  std::vector<double> grid;  // ascending times in (t0, t1]
+  std::vector<T> samples;    // grid.size() rows of `size` numbers; NaN where the method has no value there
+  std::function<bool(T t, const T* y)>
+      on_step;  // after every accepted step; false stops the run (time_limit)
+};
+
+/// One step of a linear homogeneous problem as a matrix: column j is where the j-th unit vector goes. For
+/// multistep methods the vector is (y, past slopes).
+template <class T>
+struct TransitionMatrix {
+  std::size_t size = 0;
+  std::vector<T> columns;  // column-major
+  bool solved = true;      // false: a Newton iteration failed
+};
+
+/// The functions of a method for one number type; null where it does not work in that type.
+template <class T>
+struct MethodRuns {
+  using Solve = RunReport(const ErasedSystem<T>&, const Control&, double t0, double t1, std::vector<T>& y);
+  /// `bare` is the same system uncounted: values between steps are taken from it.
+  using SolveTraced = RunReport(const ErasedSystem<T>& counted, const ErasedSystem<T>& bare, const Control&,
+                                double t0, double t1, std::vector<T>& y, Trace<T>&);
+  using Transition = TransitionMatrix<T>(const ErasedSystem<T>& homogeneous, T h);
+
+  Solve* solve = nullptr;
+  SolveTraced* solve_traced = nullptr;
+  Transition* transition = nullptr;
+};
+
+struct AnyMethod {
+  std::string_view id, kind, source;
+  std::string_view provider = "odemark";  // or "sundials", "gsl", "odeint"
+  int order = 0, embedded_order = 0;
+  unsigned needs = 0;
+  bool takes_fixed_steps = true, takes_error_control = false, compensated = false, multistep = false;
+  std::string_view starter = "";  // of a multistep method
+  std::string_view note = "";     // what a reader of its rows must know
+  std::function<Theory()> theory;
+  std::tuple<MethodRuns<float>, MethodRuns<double>, MethodRuns<long double>> by_type;
+
+  template <class T>
+  const MethodRuns<T>& runs() const {
+    return std::get<MethodRuns<T>>(by_type);
+  }
+};
+
+/// Every method of integrators/catalogue.txt, in its order.
+const std::vector<AnyMethod>& suite_methods();
+
+}  // namespace odemark

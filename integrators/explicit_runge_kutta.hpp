@@ -1,0 +1,195 @@
+// Explicit Runge-Kutta: one tableau type, one engine.
+#pragma once
+
+#include "integrators/compensated.hpp"
+#include "integrators/theory.hpp"
+
+namespace odemark {
+
+template <const auto& method, System P>
+class ExplicitRungeKuttaStepper;
+
+/// Nodes c are the row sums of `a`; first-same-as-last is read off the rows. Neither can disagree with them.
+template <std::size_t Stages>
+struct ExplicitRungeKutta {
+  static constexpr std::string_view kind_name = "explicit Runge-Kutta";
+  static constexpr unsigned needs = 0;
+  static constexpr std::size_t stages = Stages;
+
+  std::string_view id, source;
+  int order;
+  int embedded_order = 0;  // 0: no error estimate
+  std::array<std::array<Coefficient, Stages>, Stages> a{};
+  std::array<Coefficient, Stages> b{};
+  std::array<Coefficient, Stages> b_embedded{};
+
+  constexpr Coefficient c(std::size_t stage) const {
+    Coefficient sum = 0;
+    for (std::size_t j = 0; j < stage; ++j) sum += a[stage][j];
+    return sum;
+  }
+  constexpr bool first_same_as_last() const { return Stages > 1 && a[Stages - 1] == b; }
+  constexpr bool has_error_estimate() const { return embedded_order > 0; }
+  Theory theory() const { return runge_kutta_theory(a, b); }
+
+  template <const auto& method, System P>
+  using Stepper = ExplicitRungeKuttaStepper<method, P>;
+};
+
+/// Written for the compiler: for a state of fixed size every stage and slope is a fresh local, so that
+/// nothing is kept in memory between stages (a reused array costs GCC a store-forwarding stall per stage, 3
+/// to 7 times the step). States of run-time size use slopes allocated once; the arithmetic is the same, bit
+/// for bit.
+template <const auto& method, System P>
+class ExplicitRungeKuttaStepper {
+ public:
+  using State = typename P::State;
+  using Component = ComponentOf<State>;
+  using Real = RealOf<State>;
+
+  ExplicitRungeKuttaStepper(const P& system, const State& model)
+      : system_(system), first_(blank_like(model)), last_(blank_like(model)) {
+    if constexpr (!is_fixed) {
+      slopes_.fill(model);
+      stage_ = increment_ = model;
+    }
+  }
+
+  void start() { first_known_ = false; }
+
+  StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
+    if (!first_known_) system_.rhs(t, y, first_);
+    first_known_ = true;  // still f(t, y) if this attempt is rejected
+    if constexpr (is_fixed)
+      evaluate_from<1>(t, y, h, next, error, State(first_));
+    else {
+      evaluate_stored(t, y, h, next);
+      if constexpr (method.has_error_estimate()) [&]<std::size_t... J>(std::index_sequence<J...>) {
+          estimate(h, error, slope<J>()...);
+        }
+      (std::make_index_sequence<method.stages>{});
+    }
+    return StepStatus::ok;
+  }
+
+  void accept() {
+    if constexpr (method.first_same_as_last()) {
+      if constexpr (is_fixed)
+        first_ = last_;
+      else
+        std::swap(first_, slopes_.back());
+    } else {
+      first_known_ = false;
+    }
+  }
+
+  StepStatus attempt_compensated(Real t, const State& y, const State& carry, Real h, State& next,
+                                 State& next_carry) requires(fixed_size<State> == 0) {
+    if (!first_known_) system_.rhs(t, y, first_);
+    first_known_ = true;
+    evaluate_stored(t, y, h, next);
+    [&]<std::size_t... J>(std::index_sequence<J...>) { weighted<MainWeights>(h, increment_, slope<J>()...); }
+    (std::make_index_sequence<method.stages>{});
+    add_compensated(y, carry, increment_, next, next_carry);
+    return StepStatus::ok;
+  }
+
+ private:
+  static constexpr bool is_fixed = fixed_size<State> > 0;
+
+  template <std::size_t I>
+  struct RowWeights {
+    static constexpr Coefficient value(std::size_t j) { return method.a[I][j]; }
+  };
+  struct MainWeights {
+    static constexpr Coefficient value(std::size_t j) { return method.b[j]; }
+  };
+  struct ErrorWeights {
+    static constexpr Coefficient value(std::size_t j) { return method.b[j] - method.b_embedded[j]; }
+  };
+
+  template <std::size_t I, class... Slopes>
+  [[gnu::always_inline]] void evaluate_from(Real t, const State& y, Real h, State& next, State& error,
+                                            const Slopes&... k) {
+    if constexpr (I < method.stages) {
+      State u;
+      advance<RowWeights<I>>(y, h, u, k...);
+      State slope;
+      system_.rhs(t + static_cast<Real>(method.c(I)) * h, u, slope);
+      if constexpr (I + 1 == method.stages && method.first_same_as_last()) next = u;
+      evaluate_from<I + 1>(t, y, h, next, error, k..., slope);
+    } else {
+      if constexpr (method.first_same_as_last())
+        last_ = std::get<method.stages - 1>(std::tie(k...));
+      else
+        advance<MainWeights>(y, h, next, k...);
+      if constexpr (method.has_error_estimate()) estimate(h, error, k...);
+    }
+  }
+
+  template <std::size_t J>
+  State& slope() {
+    if constexpr (J == 0)
+      return first_;
+    else
+      return slopes_[J];
+  }
+
+  void evaluate_stored(Real t, const State& y, Real h, State& next) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (evaluate_stage<I + 1>(t, y, h, next), ...); }
+    (std::make_index_sequence<method.stages - 1>{});
+    if constexpr (!method.first_same_as_last()) [&]<std::size_t... J>(std::index_sequence<J...>) {
+        advance<MainWeights>(y, h, next, slope<J>()...);
+      }
+    (std::make_index_sequence<method.stages>{});
+  }
+  template <std::size_t I>
+  void evaluate_stage(Real t, const State& y, Real h, State& next) {
+    State& u = I + 1 == method.stages && method.first_same_as_last() ? next : stage_;
+    [&]<std::size_t... J>(std::index_sequence<J...>) { advance<RowWeights<I>>(y, h, u, slope<J>()...); }
+    (std::make_index_sequence<I>{});
+    system_.rhs(t + static_cast<Real>(method.c(I)) * h, u, slope<I>());
+  }
+
+  /// out = base + (h w_0) k_0 + (h w_1) k_1 + ..., from the base, the newest slope last.
+  template <class Weights, class... Slopes>
+  [[gnu::always_inline]] static void advance(const State& base, Real h, State& out, const Slopes&... k) {
+    constexpr auto used = nonzero_weights<Weights, sizeof...(Slopes)>();
+    const auto slopes = std::tie(k...);
+    [&]<std::size_t... U>(std::index_sequence<U...>) {
+      const std::array<Real, used.size()> scaled{h * static_cast<Real>(Weights::value(used[U]))...};
+      for_each_component(base, [&](std::size_t i) {
+        Component sum = base.data()[i];
+        ((sum = sum + scaled[U] * std::get<used[U]>(slopes).data()[i]), ...);
+        out.data()[i] = sum;
+      });
+    }
+    (std::make_index_sequence<used.size()>{});
+  }
+
+  /// out = (h w_0) k_0 + (h w_1) k_1 + ...
+  template <class Weights, class... Slopes>
+  [[gnu::always_inline]] static void weighted(Real h, State& out, const Slopes&... k) {
+    constexpr auto used = nonzero_weights<Weights, sizeof...(Slopes)>();
+    const auto slopes = std::tie(k...);
+    [&]<std::size_t... U>(std::index_sequence<U...>) {
+      const std::array<Real, used.size()> scaled{h * static_cast<Real>(Weights::value(used[U]))...};
+      for_each_component(out, [&](std::size_t i) {
+        out.data()[i] = (... + (scaled[U] * std::get<used[U]>(slopes).data()[i]));
+      });
+    }
+    (std::make_index_sequence<used.size()>{});
+  }
+  template <class... Slopes>
+  [[gnu::always_inline]] static void estimate(Real h, State& error, const Slopes&... k) {
+    weighted<ErrorWeights>(h, error, k...);
+  }
+
+  const P& system_;
+  State first_, last_;  // f(t, y) of this step; f at its end where the last stage is the next first
+  State stage_{}, increment_{};
+  std::array<State, is_fixed ? 0 : method.stages> slopes_{};
+  bool first_known_ = false;
+};
+
+}  // namespace odemark

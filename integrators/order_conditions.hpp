@@ -1,0 +1,103 @@
+// Algebraic order of a Runge-Kutta tableau by rooted trees, at compile time or run time.
+#pragma once
+
+#include "integrators/stepper.hpp"
+
+namespace odemark {
+
+inline constexpr int highest_tree_order = 10;
+
+/// A rooted tree as the levels of its nodes in preorder, root = 1.
+struct RootedTree {
+  std::array<int, highest_tree_order> level{};
+  int order = 0;
+
+  static constexpr RootedTree tallest(int order) {
+    RootedTree tree;
+    tree.order = order;
+    for (int i = 0; i < order; ++i) tree.level[std::size_t(i)] = i + 1;
+    return tree;
+  }
+  /// The next tree of the same order, until the bush (T. Beyer, S. M. Hedetniemi, SIAM J. Comput. 9 (1980)
+  /// 706-712). Starting from the tallest every tree comes up exactly once.
+  constexpr bool advance() {
+    int p = order - 1;
+    while (p > 0 && level[std::size_t(p)] == 2) --p;
+    if (p <= 0) return false;
+    int q = p - 1;
+    while (level[std::size_t(q)] != level[std::size_t(p)] - 1) --q;
+    for (int i = p; i < order; ++i) level[std::size_t(i)] = level[std::size_t(i - (p - q))];
+    return true;
+  }
+  constexpr int parent(int node) const {
+    int q = node - 1;
+    while (level[std::size_t(q)] != level[std::size_t(node)] - 1) --q;
+    return q;
+  }
+};
+
+/// b . Phi(tree) - 1 / gamma(tree) and the sum of the absolute values of what was added (its rounding scale).
+/// E. Hairer, S. P. Norsett, G. Wanner, Solving ODEs I, II.2.
+template <std::size_t S>
+struct TreeResidual {
+  Coefficient residual = 0, size = 0;
+
+  constexpr TreeResidual(const std::array<std::array<Coefficient, S>, S>& a,
+                         const std::array<Coefficient, S>& b, const RootedTree& tree) {
+    std::array<std::array<Coefficient, S>, highest_tree_order> weight{}, magnitude{};
+    std::array<int, highest_tree_order> subtree{};
+    for (auto& w : weight) w.fill(1);
+    for (auto& w : magnitude) w.fill(1);
+    Coefficient gamma = 1;
+    for (int node = tree.order - 1; node >= 0; --node) {
+      const auto n = std::size_t(node);
+      gamma *= Coefficient(++subtree[n]);
+      if (node == 0) break;
+      const auto up = std::size_t(tree.parent(node));
+      subtree[up] += subtree[n];
+      for (std::size_t i = 0; i < S; ++i) {
+        Coefficient sum = 0, absolute = 0;
+        for (std::size_t j = 0; j < S; ++j) {
+          sum += a[i][j] * weight[n][j];
+          absolute += (a[i][j] < 0 ? -a[i][j] : a[i][j]) * magnitude[n][j];
+        }
+        weight[up][i] *= sum;
+        magnitude[up][i] *= absolute;
+      }
+    }
+    for (std::size_t i = 0; i < S; ++i) {
+      residual += b[i] * weight[0][i];
+      size += (b[i] < 0 ? -b[i] : b[i]) * magnitude[0][i];
+    }
+    residual -= 1 / gamma;
+    size += 1 / gamma;
+  }
+  constexpr bool vanishes() const {
+    const Coefficient tolerance = 1e-17L * Coefficient(S) * size;  // 10 s u: coefficients are long double
+    return residual <= tolerance && residual >= -tolerance;
+  }
+};
+
+/// The order, proved: every condition up to it holds and one of the next order does not. Looks up to
+/// `highest`.
+template <std::size_t S>
+constexpr int algebraic_order(const std::array<std::array<Coefficient, S>, S>& a,
+                              const std::array<Coefficient, S>& b, int highest) {
+  for (int order = 1; order <= highest; ++order) {
+    auto tree = RootedTree::tallest(order);
+    do {
+      if (!TreeResidual<S>(a, b, tree).vanishes()) return order - 1;
+    } while (tree.advance());
+  }
+  return highest;
+}
+
+/// Does the tableau have exactly the orders it claims? A wrong coefficient does not compile.
+template <class Method>
+constexpr bool orders_hold(const Method& m) {
+  return algebraic_order(m.a, m.b, m.order + 1) == m.order &&
+         (m.embedded_order == 0 ||
+          algebraic_order(m.a, m.b_embedded, m.embedded_order + 1) == m.embedded_order);
+}
+
+}  // namespace odemark

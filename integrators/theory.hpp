@@ -1,0 +1,71 @@
+// What a method does to a linear problem, derived from the same coefficients that step.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "integrators/stepper.hpp"
+
+namespace odemark {
+
+/// One instruction of a second-order step on x'' = -w^2 x - 2 zeta w v, in units of h.
+struct SecondOrderMove {
+  enum class What {
+    drift,           // x += weight h v
+    kick,            // v += weight h a(x, v): the velocity is the current one
+    kick_old,        // v += weight h a(x, v_n): the velocity at the start of the step
+    kick_predicted,  // v += weight h a(x, v_n + h a_n)
+    kick_implicit,   // v = v + weight h a(x, v_new)
+    drift_taylor,    // x += h v + h^2/2 a(x, v)
+  };
+  What what;
+  Coefficient weight;
+};
+
+/// Exactly one of the members is filled; which one says how the method acts on y' = lambda y.
+struct Theory {
+  std::vector<Coefficient> numerator, denominator;  // R(z) = numerator / denominator, ascending powers
+  std::vector<Coefficient> rho, sigma;              // multistep: rho(w) - z sigma(w), ascending powers
+  std::vector<SecondOrderMove> moves;               // acts on (x, v) as a 2x2 matrix
+  bool exact_on_linear_part = false;                // exponential methods: R = exp(h L)
+  std::string_view blank_reason = "";               // why nothing can be said, where nothing can
+};
+
+/// R(z) = det(I - zA + z 1 b') / det(I - zA) (Hairer & Wanner, Solving ODEs II, IV.3), both by the
+/// Faddeev-LeVerrier recursion. For strictly lower triangular A the denominator is 1.
+template <std::size_t S>
+Theory runge_kutta_theory(const std::array<std::array<Coefficient, S>, S>& a,
+                          const std::array<Coefficient, S>& b) {
+  using Matrix = std::array<std::array<Coefficient, S>, S>;
+  // det(I - z M) = sum_k q_k z^k with q_k the coefficients of the characteristic polynomial of M
+  const auto determinant = [](const Matrix& m) {
+    std::vector<Coefficient> q{1};
+    Matrix power{};
+    for (std::size_t i = 0; i < S; ++i) power[i][i] = 1;
+    for (std::size_t k = 1; k <= S; ++k) {
+      Matrix product{};
+      for (std::size_t i = 0; i < S; ++i)
+        for (std::size_t j = 0; j < S; ++j)
+          for (std::size_t l = 0; l < S; ++l) product[i][j] += m[i][l] * power[l][j];
+      Coefficient trace = 0;
+      for (std::size_t i = 0; i < S; ++i) trace += product[i][i];
+      q.push_back(-trace / Coefficient(k));
+      power = product;
+      for (std::size_t i = 0; i < S; ++i) power[i][i] += q.back();
+    }
+    return q;
+  };
+  Matrix shifted = a;
+  for (std::size_t i = 0; i < S; ++i)
+    for (std::size_t j = 0; j < S; ++j) shifted[i][j] -= b[j];
+  Theory theory;
+  theory.numerator = determinant(shifted);
+  theory.denominator = determinant(a);
+  // powers beyond the degree are rounding noise of the recursion, not coefficients
+  for (auto* polynomial : {&theory.numerator, &theory.denominator})
+    while (polynomial->size() > 1 && polynomial->back() < 1e-16L && polynomial->back() > -1e-16L)
+      polynomial->pop_back();
+  return theory;
+}
+
+}  // namespace odemark

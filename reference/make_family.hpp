@@ -1,0 +1,155 @@
+// Erases the type of a family: one instantiation per family, in a unit of its own.
+#pragma once
+
+#include <algorithm>
+
+#include "integrators/dual.hpp"
+#include "reference/any_problem.hpp"
+#include "reference/configure.hpp"
+
+namespace odemark {
+
+template <class F>
+concept HasAcceleration = requires(const F& f, double t, const double* y, double* a) {
+  f.acceleration(t, y, a);
+};
+template <class F>
+concept HasWrittenJacobian = requires(const F& f, double t, const double* y, MatrixView<double> j) {
+  f.jacobian(t, y, j);
+};
+template <class F>
+concept HasLinear = requires(const F& f, MatrixView<double> l) {
+  f.template linear_part<double>(l);
+};
+template <class F>
+concept HasExact = requires(const F& f, long double t, const long double* y0, long double* y) {
+  f.exact(t, y0, y);
+};
+
+template <class F>
+constexpr unsigned abilities_of() {
+  unsigned abilities = Ability::jacobian | Ability::recordable | Ability::double_precision;
+  if constexpr (HasAcceleration<F>) {
+    abilities |= Ability::second_order;
+    if (!F::force_depends_on_velocity) abilities |= Ability::separable;
+  }
+  if constexpr (HasLinear<F>) abilities |= Ability::linear_part;
+  return abilities;
+}
+
+/// The Jacobian by dual numbers: what a hand-written one is tested against, and what stands in for a missing
+/// one.
+template <class T, class F>
+void dual_jacobian(const F& family, T t, const T* y, MatrixView<T> j) {
+  using Number = Dual<T, F::size>;
+  std::array<Number, F::size> state, slope;
+  for (std::size_t i = 0; i < F::size; ++i) state[i] = Number::variable(y[i], i);
+  family.rhs(Number(t), state.data(), slope.data());
+  for (std::size_t row = 0; row < F::size; ++row)
+    for (std::size_t column = 0; column < F::size; ++column) j(row, column) = slope[row].partial[column];
+}
+
+template <class T, class F>
+ErasedSystem<T> erase(const F& family) {
+  ErasedSystem<T> s;
+  s.self = &family;
+  s.size = F::size;
+  s.abilities = abilities_of<F>();
+  s.rhs_call = [](const void* p, T t, const T* y, T* dydt) { static_cast<const F*>(p)->rhs(t, y, dydt); };
+  if constexpr (HasAcceleration<F>) {
+    s.velocity_dependent = F::force_depends_on_velocity;
+    s.acceleration_call = [](const void* p, T t, const T* y, T* a) {
+      static_cast<const F*>(p)->acceleration(t, y, a);
+    };
+  }
+  s.jacobian_call = [](const void* p, T t, const T* y, T* column_major) {
+    const MatrixView<T> j{column_major, F::size};
+    if constexpr (HasWrittenJacobian<F>)
+      static_cast<const F*>(p)->jacobian(t, y, j);
+    else
+      dual_jacobian(*static_cast<const F*>(p), t, y, j);
+  };
+  if constexpr (HasLinear<F>)
+    s.linear_part_call = [](const void* p, T* column_major) {
+      static_cast<const F*>(p)->template linear_part<T>(MatrixView<T>{column_major, F::size});
+    };
+  s.record_call = [](const void* p) { return record<T>(*static_cast<const F*>(p), F::size); };
+  return s;
+}
+
+template <class F>
+AnyProblem make_problem(const F& values, const Preset& preset, const std::vector<Setting>& user) {
+  AnyProblem problem;
+  problem.preset = std::string(preset.id);
+  problem.customised = !user.empty();
+  problem.id = problem.preset + (user.empty() ? "" : "{" + to_string(user) + "}");
+  problem.preset_settings = std::string(preset.settings);
+  problem.user_settings = to_string(user);
+  problem.family = F::id, problem.title = F::title, problem.equations = F::equations,
+  problem.source = F::source;
+  problem.about = preset.about;
+  problem.components.assign(F::components.begin(), F::components.end());
+  for (const auto& p : F::parameters())
+    problem.parameters.push_back({p.name, p.unit, p.meaning, p.range, values.*p.member, false});
+  const auto owned = std::make_shared<const F>(values);
+  problem.value = owned;
+  problem.t_end = owned->t_end;
+  problem.suggested_dt = owned->suggested_dt();
+  problem.initial.resize(F::size);
+  owned->initial(problem.initial.data());
+  const auto scale = owned->scale();
+  problem.scale.assign(scale.begin(), scale.end());
+  if constexpr (requires { owned->switch_times(); }) {
+    const auto times = owned->switch_times();
+    problem.switch_times.assign(times.begin(), times.end());
+  }
+  if constexpr (requires { F::invariant_names; }) {
+    problem.invariant_names.assign(F::invariant_names.begin(), F::invariant_names.end());
+    problem.invariants_call = [](const void* p, const long double* y, long double* out) {
+      static_cast<const F*>(p)->invariants(y, out);
+    };
+  }
+  if constexpr (requires(const double* y) { owned->oscillation(y); })
+    problem.oscillation_call = [](const void* p, const double* y) {
+      return static_cast<const F*>(p)->oscillation(y);
+    };
+  problem.abilities = abilities_of<F>();
+  problem.has_exact = HasExact<F>;
+  problem.has_written_jacobian = HasWrittenJacobian<F>;
+  problem.systems = {erase<float>(*owned), erase<double>(*owned), erase<long double>(*owned)};
+  return problem;
+}
+
+template <class F>
+AnyProblem create_problem(const Preset& preset, const std::vector<Setting>& user) {
+  const auto values = configure<F, double>(parse_settings(preset.settings), user, parse_number);
+  AnyProblem problem = make_problem(values, preset, user);
+  if constexpr (requires { values.homogeneous(); })
+    problem.homogeneous =
+        std::make_shared<const AnyProblem>(make_problem(values.homogeneous(), preset, user));
+  return problem;
+}
+
+/// Everything the suite needs to know of a family. `Family` is a class template on its parameter type.
+template <template <class> class Family>
+AnyFamily make_family() {
+  using F = Family<double>;
+  AnyFamily family;
+  family.id = F::id, family.title = F::title, family.equations = F::equations, family.source = F::source;
+  family.components.assign(F::components.begin(), F::components.end());
+  family.presets.assign(F::presets.begin(), F::presets.end());
+  const F defaults{};
+  for (const auto& p : F::parameters())
+    family.parameters.push_back({p.name, p.unit, p.meaning, p.range, defaults.*p.member, false});
+  if constexpr (requires { F::shorthands(); })
+    for (const auto& s : F::shorthands())
+      family.parameters.push_back({s.name, s.unit, s.meaning, s.range, 0, true});
+  if constexpr (requires { F::invariant_names; })
+    family.invariant_names.assign(F::invariant_names.begin(), F::invariant_names.end());
+  family.abilities = abilities_of<F>();
+  family.has_exact = HasExact<F>;
+  family.create = create_problem<F>;
+  return family;
+}
+
+}  // namespace odemark

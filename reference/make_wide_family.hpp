@@ -1,0 +1,65 @@
+// Instantiates a family on wide numbers: right-hand side, tape, Jacobian, closed form, invariants.
+#pragma once
+
+#include "reference/make_family.hpp"
+#include "reference/wide_problem.hpp"
+
+namespace odemark {
+
+/// "0.1" or "8/3" at full width; the text was checked by parse_number before.
+inline Wide parse_wide(std::string_view, std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == text.npos) return Wide(std::string(text));
+  return Wide(std::string(text.substr(0, slash))) / Wide(std::string(text.substr(slash + 1)));
+}
+
+template <class F>
+WideProblem make_wide_problem(std::shared_ptr<const F> values) {
+  WideProblem problem;
+  problem.size = F::size;
+  problem.t_end = Wide(values->t_end);
+  problem.initial.resize(F::size);
+  problem.tape = record<Wide>(*values, F::size);
+  problem.rhs = [](const void* p, const Wide& t, const Wide* y, Wide* dydt) {
+    static_cast<const F*>(p)->rhs(t, y, dydt);
+  };
+  problem.jacobian = [](const void* p, const Wide& t, const Wide* y, Wide* column_major) {
+    dual_jacobian(*static_cast<const F*>(p), t, y, MatrixView<Wide>{column_major, F::size});
+  };
+  if constexpr (requires(const Wide& t, Wide* y) { values->exact(t, y, y); })
+    problem.exact = [](const void* p, const Wide& t, const Wide* y0, Wide* y) {
+      static_cast<const F*>(p)->exact(t, y0, y);
+    };
+  if constexpr (requires { F::invariant_names; })
+    problem.invariants = [](const void* p, const Wide* y, Wide* out) {
+      static_cast<const F*>(p)->invariants(y, out);
+    };
+  if constexpr (requires { values->switch_times(); })
+    for (const auto& t : values->switch_times()) problem.switch_times.emplace_back(t);
+  problem.value = values;
+  return problem;
+}
+
+template <template <class> class Family>
+WideFamily make_wide_family() {
+  WideFamily family;
+  family.id = Family<double>::id;
+  family.rounded = [](const AnyProblem& problem) {
+    auto wide = make_wide_problem(
+        std::make_shared<const Family<double>>(*static_cast<const Family<double>*>(problem.value.get())));
+    for (std::size_t i = 0; i < wide.size; ++i) wide.initial[i] = Wide(problem.initial[i]);
+    return wide;
+  };
+  family.as_written = [](const AnyProblem& problem) {
+    const auto preset = parse_settings(problem.preset_settings);
+    const auto user = parse_settings(problem.user_settings);
+    const auto values =
+        std::make_shared<const Family<Wide>>(configure<Family<Wide>, Wide>(preset, user, parse_wide));
+    auto wide = make_wide_problem(values);
+    values->initial(wide.initial.data());
+    return wide;
+  };
+  return family;
+}
+
+}  // namespace odemark

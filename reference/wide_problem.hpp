@@ -1,0 +1,40 @@
+// A problem in fifty-digit arithmetic: what truths are computed from.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "integrators/tape.hpp"
+#include "reference/any_problem.hpp"
+
+namespace odemark {
+
+/// Header-only, no LGPL, the same bits everywhere; expression templates off, so that `auto` is safe.
+using Wide =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+struct WideProblem {
+  std::size_t size = 0;
+  Wide t_end;
+  std::vector<Wide> initial, switch_times;
+  std::shared_ptr<const void> value;  // Family<double>, or Family<Wide> for exact inputs
+  Tape<Wide> tape;                    // of rhs
+  void (*rhs)(const void*, const Wide& t, const Wide* y, Wide* dydt) = nullptr;
+  void (*jacobian)(const void*, const Wide& t, const Wide* y, Wide* column_major) = nullptr;
+  void (*exact)(const void*, const Wide& t, const Wide* y0, Wide* y) = nullptr;  // null: no closed form
+  void (*invariants)(const void*, const Wide* y, Wide* out) = nullptr;           // null: none known
+};
+
+struct WideFamily {
+  std::string_view id;
+  /// The problem that a double integrator sees: parameters and initial state rounded to double, then exact.
+  WideProblem (*rounded)(const AnyProblem&) = nullptr;
+  /// The problem as written: every decimal of the settings at its full value. Throws BadInput like `create`.
+  WideProblem (*as_written)(const AnyProblem&) = nullptr;
+};
+
+const std::vector<WideFamily>& suite_wide_families();
+
+}  // namespace odemark
