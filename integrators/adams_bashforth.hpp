@@ -96,7 +96,9 @@ class AdamsBashforthStepper {
         [&](const auto& scaled, const auto&... slope) {
           for_each_component(y, [&](std::size_t i) {
             std::size_t j = 0;
-            increment_.data()[i] = (... + (scaled[j++] * slope.data()[i]));
+            auto sum = ComponentOf<State>(0);
+            ((sum = sum + scaled[j++] * slope.data()[i]), ...);
+            increment_.data()[i] = sum;
           });
         },
         h);

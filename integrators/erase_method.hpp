@@ -1,6 +1,10 @@
 // Compiles a method once per number type against an erased system.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "integrators/any_method.hpp"
 
 namespace odemark {
@@ -37,11 +41,9 @@ RunReport solve(const P& system, const Control& control, double t0, double t1, t
 template <const auto& method, class T>
 RunReport solve_traced(const ErasedSystem<T>& counted, const ErasedSystem<T>& bare, const Control& control,
                        double t0, double t1, std::vector<T>& y, Trace<T>& trace) {
-  constexpr bool can_side_step = requires(StepperOf<method, ErasedSystem<T>> s, T t) {
-    s.attempt(t, y, t, y, y);
-  }
-  &&!HasHistory<StepperOf<method, ErasedSystem<T>>>;
-  StepperOf<method, ErasedSystem<T>> side(bare, y);
+  using S = StepperOf<method, ErasedSystem<T>>;
+  constexpr bool can_side_step = !HasHistory<S>;
+  S side(bare, y);
   const std::size_t size = bare.size;
   trace.samples.assign(trace.grid.size() * size, std::numeric_limits<T>::quiet_NaN());
   std::vector<T> between(y), error(y);

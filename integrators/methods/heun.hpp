@@ -1,0 +1,16 @@
+#pragma once
+#include "integrators/explicit_runge_kutta.hpp"
+#include "integrators/order_conditions.hpp"
+
+namespace odemark {
+
+inline constexpr ExplicitRungeKutta<2> heun{
+    .id = "heun",
+    .source = "K. Heun, Z. Math. Phys. 45 (1900) 23-38 (the chapter's improved Euler)",
+    .order = 2,
+    .a = {{{}, {1}}},
+    .b = {1.0L / 2, 1.0L / 2},
+};
+static_assert(orders_hold(heun));
+
+}  // namespace odemark

@@ -1,0 +1,64 @@
+// Any function that advances a state is a method: the door for an engine's own update code.
+#pragma once
+
+#include "integrators/theory.hpp"
+
+namespace odemark {
+
+template <const auto& method, System P>
+class StepFunctionStepper {
+ public:
+  using State = typename P::State;
+  using Real = RealOf<State>;
+
+  StepFunctionStepper(const P& system, const State&) : system_(system) {}
+  void start() {}
+  void accept() {}
+  StepStatus attempt(Real t, const State& y, Real h, State& next, State&) {
+    next = y;
+    method.step(system_, t, next, h);
+    return StepStatus::ok;
+  }
+
+ private:
+  const P& system_;
+};
+
+template <class P, class F>
+concept AcceptedBy = System<P> &&
+    requires(const F& f, const P& p, typename P::State& y, RealOf<typename P::State> t) {
+  f(p, t, y, t);
+};
+
+/// `step(problem, t, y, h)` overwrites y(t) with y(t + h). Constrain its first parameter to say what it
+/// needs; `Needs` says the same in Ability bits, for problems whose type is gone.
+template <class F, unsigned Needs>
+struct StepFunction {
+  static constexpr std::string_view kind_name = "step function";
+  static constexpr unsigned needs = Needs;
+  std::string_view id, source;
+  int order;
+  int embedded_order;
+  F step;
+  std::vector<SecondOrderMove> (*moves)() = nullptr;
+
+  Theory theory() const {
+    Theory theory;
+    if (moves)
+      theory.moves = moves();
+    else
+      theory.blank_reason = "a step function has no coefficients to derive a limit from";
+    return theory;
+  }
+
+  template <const auto& method, AcceptedBy<F> P>
+  using Stepper = StepFunctionStepper<method, P>;
+};
+
+template <unsigned Needs = 0, class F>
+constexpr StepFunction<F, Needs> wrap_step(std::string_view id, int order, F step,
+                                           std::string_view source = "user code") {
+  return {id, source, order, 0, step};
+}
+
+}  // namespace odemark
