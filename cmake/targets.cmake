@@ -30,9 +30,30 @@ odemark_library(reference SOURCES ${reference_sources} ${ODEMARK_FAMILY_UNITS} $
 set(ODEMARK_CONTESTANTS)
 include(cmake/contestants.cmake)
 
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
 file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
 odemark_library(bench SOURCES ${bench_sources} ${ODEMARK_STATIC_UNITS}
-  LINK odemark::reference ${ODEMARK_CONTESTANTS} Threads::Threads)
+  LINK odemark::reference ${ODEMARK_CONTESTANTS} Threads::Threads nlohmann_json::nlohmann_json)
+
+# What a results file says of the build: the commit if there is one, and the flags that matter to numbers.
+execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} describe --always --dirty
+  OUTPUT_VARIABLE ODEMARK_REVISION OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT ODEMARK_REVISION)
+  set(ODEMARK_REVISION "unknown")
+endif()
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" ODEMARK_FLAGS)
+if(ODEMARK_NATIVE)
+  string(APPEND ODEMARK_FLAGS " -march=native -ffp-contract=fast")
+else()
+  string(APPEND ODEMARK_FLAGS " -ffp-contract=off")
+endif()
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/bench/machine.cpp APPEND PROPERTY COMPILE_DEFINITIONS
+  "ODEMARK_REVISION=\"${ODEMARK_REVISION}\"" "ODEMARK_FLAGS=\"${ODEMARK_FLAGS}\""
+  "ODEMARK_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\"" "ODEMARK_VERSION=\"${PROJECT_VERSION}\"")
 
 file(GLOB reports_sources CONFIGURE_DEPENDS reports/*.cpp)
-odemark_library(reports SOURCES ${reports_sources} LINK fmt::fmt)
+odemark_library(reports SOURCES ${reports_sources}
+  LINK fmt::fmt nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus)
+
+include(cmake/cli.cmake)

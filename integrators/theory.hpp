@@ -8,15 +8,15 @@
 
 namespace odemark {
 
-/// One instruction of a second-order step on x'' = -w^2 x - 2 zeta w v, in units of h.
+/// One instruction of a second-order step on x'' = a(x, v), in units of h; (x_n, v_n) is the start of the step.
 struct SecondOrderMove {
   enum class What {
     drift,           // x += weight h v
     kick,            // v += weight h a(x, v): the velocity is the current one
+    kick_start,      // v += weight h a(x_n, v_n): the force of the start once more
     kick_old,        // v += weight h a(x, v_n): the velocity at the start of the step
-    kick_predicted,  // v += weight h a(x, v_n + h a_n)
+    kick_predicted,  // v += weight h a(x, v_n + h a(x_n, v_n))
     kick_implicit,   // v = v + weight h a(x, v_new)
-    drift_taylor,    // x += h v + h^2/2 a(x, v)
   };
   What what;
   Coefficient weight;

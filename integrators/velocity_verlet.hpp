@@ -30,7 +30,8 @@ struct VelocityVerlet {
                       : velocity == Velocity::predicted ? What::kick_predicted
                                                         : What::kick_implicit;
     Theory theory;
-    theory.moves = {{What::drift_taylor, 1}, {last, 0.5L}};
+    // half a kick before the drift is what makes x + h v + h^2/2 a of it
+    theory.moves = {{What::kick, 0.5L}, {What::drift, 1}, {last, 0.5L}};
     return theory;
   }
 

@@ -11,8 +11,7 @@ struct Dahlquist {
   static constexpr std::string_view title = "Linear test equation";
   static constexpr std::string_view equations =
       "re' = lambda_re re - lambda_im im;  im' = lambda_im re + lambda_re im";
-  static constexpr std::string_view source =
-      "G. Dahlquist, BIT 3 (1963) 27-43, doi:10.1007/BF01963532";
+  static constexpr std::string_view source = "G. Dahlquist, BIT 3 (1963) 27-43, doi:10.1007/BF01963532";
   static constexpr std::size_t size = 2;
   static constexpr std::array<Component, size> components{{{"re", ""}, {"im", ""}}};
 
@@ -26,7 +25,8 @@ struct Dahlquist {
   }
   static constexpr std::array presets{
       Preset{"dahlquist", "", "decay, lambda = -1"},
-      Preset{"dahlquist_rotation", "lambda_re=0,lambda_im=1", "on the imaginary axis: nothing may grow or fade"},
+      Preset{"dahlquist_rotation", "lambda_re=0,lambda_im=1",
+             "on the imaginary axis: nothing may grow or fade"},
       Preset{"dahlquist_spiral", "lambda_re=-0.125,lambda_im=1", "a damped oscillation"},
       Preset{"dahlquist_stiff", "lambda_re=-1000,t_end=1", "the transient is over after a few milliseconds"}};
 

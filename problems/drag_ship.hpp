@@ -6,7 +6,8 @@
 
 namespace odemark {
 
-/// State (s, v). The defaults have the chapter's T/C = 20 m/s and C/m = 0.1 1/s. The speed settles at thrust / drag with the rate drag / m.
+/// State (s, v). The defaults have the chapter's T/C = 20 m/s and C/m = 0.1 1/s. The speed settles at thrust
+/// / drag with the rate drag / m.
 template <class Real = double>
 struct DragShip {
   static constexpr std::string_view id = "drag_ship";
@@ -29,10 +30,12 @@ struct DragShip {
                       P{"v0", "m/s", "initial speed", &DragShip::v0},
                       P{"t_end", "s", "end of the interval", &DragShip::t_end, positive}};
   }
-  static constexpr std::array presets{Preset{"drag_ship", "", "from rest towards 20 m/s, time constant 10 s"}};
+  static constexpr std::array presets{
+      Preset{"drag_ship", "", "from rest towards 20 m/s, time constant 10 s"}};
 
   std::array<double, size> scale() const {
-    const double limit = std::min(double(m) / double(drag), double(t_end));  // m / 0 is infinite, and never chosen
+    const double limit =
+        std::min(double(m) / double(drag), double(t_end));  // m / 0 is infinite, and never chosen
     const double v = std::max(std::abs(double(v0)), std::abs(double(thrust)) / double(m) * limit);
     return v > 0 ? std::array<double, size>{v * double(t_end), v} : std::array<double, size>{1, 1};
   }
@@ -79,7 +82,7 @@ struct DragShip {
       T term = t * t / 2;
       twice = term;
       for (int k = 3; abs(term) > abs(twice) * std::numeric_limits<T>::epsilon() / 4; ++k)
-        term *= -z / k, twice += term;
+        term *= -z / T(k), twice += term;
     }
     y[0] = y0[0] + y0[1] * once + push * twice;
     y[1] = y0[1] * exp(-z) + push * once;

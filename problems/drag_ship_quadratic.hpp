@@ -6,8 +6,8 @@
 
 namespace odemark {
 
-/// State (s, v). The thrust is `thrust` before t_reverse and -thrust from then on. The force v|v| has a jump in its
-/// second derivative where the ship stands still, which the closed form knows and a driver does not.
+/// State (s, v). The thrust is `thrust` before t_reverse and -thrust from then on. The force v|v| has a jump
+/// in its second derivative where the ship stands still, which the closed form knows and a driver does not.
 template <class Real = double>
 struct DragShipQuadratic {
   static constexpr std::string_view id = "drag_ship_quadratic";
@@ -25,33 +25,37 @@ struct DragShipQuadratic {
 
   static constexpr auto parameters() {
     using P = Parameter<DragShipQuadratic, Real>;
-    return std::array{
-        P{"thrust", "N", "propeller thrust before it is reversed", &DragShipQuadratic::thrust},
-        P{"c", "kg/m", "drag coefficient", &DragShipQuadratic::c, positive},
-        P{"m", "kg", "mass", &DragShipQuadratic::m, positive},
-        P{"t_reverse", "s", "the instant the thrust is reversed", &DragShipQuadratic::t_reverse, not_negative},
-        P{"s0", "m", "initial position", &DragShipQuadratic::s0},
-        P{"v0", "m/s", "initial speed", &DragShipQuadratic::v0},
-        P{"t_end", "s", "end of the interval", &DragShipQuadratic::t_end, positive}};
+    return std::array{P{"thrust", "N", "propeller thrust before it is reversed", &DragShipQuadratic::thrust},
+                      P{"c", "kg/m", "drag coefficient", &DragShipQuadratic::c, positive},
+                      P{"m", "kg", "mass", &DragShipQuadratic::m, positive},
+                      P{"t_reverse", "s", "the instant the thrust is reversed", &DragShipQuadratic::t_reverse,
+                        not_negative},
+                      P{"s0", "m", "initial position", &DragShipQuadratic::s0},
+                      P{"v0", "m/s", "initial speed", &DragShipQuadratic::v0},
+                      P{"t_end", "s", "end of the interval", &DragShipQuadratic::t_end, positive}};
   }
   static constexpr std::array presets{
       Preset{"drag_ship_quadratic", "", "ahead for 60 s, then astern; stands still at 84.1 s"},
       Preset{"drag_ship_quadratic_ahead", "t_reverse=240", "never reversed: smooth throughout"},
-      Preset{"drag_ship_quadratic_crash_stop", "v0=8,t_reverse=0", "astern from the start; stands still at 28.5 s"}};
+      Preset{"drag_ship_quadratic_crash_stop", "v0=8,t_reverse=0",
+             "astern from the start; stands still at 28.5 s"}};
 
   std::array<double, size> scale() const {
-    const double limit = std::sqrt(std::abs(double(thrust)) / double(c)), v = std::max(limit, std::abs(double(v0)));
+    const double limit = std::sqrt(std::abs(double(thrust)) / double(c)),
+                 v = std::max(limit, std::abs(double(v0)));
     return v > 0 ? std::array<double, size>{v * double(t_end), v} : std::array<double, size>{1, 1};
   }
   double suggested_dt() const { return 0.5; }
 
   /// The instants at which the right-hand side jumps; those outside the interval are of no concern.
   std::array<double, 1> switch_times() const { return {double(t_reverse)}; }
-  /// The smooth problem of phase n: before the first switch (0), after it (1). Who stops at a switch continues with
-  /// the next phase; the last stage of a step that ends on a switch then still sees the force of its own phase.
+  /// The smooth problem of phase n: before the first switch (0), after it (1). Who stops at a switch
+  /// continues with the next phase; the last stage of a step that ends on a switch then still sees the force
+  /// of its own phase.
   DragShipQuadratic during(std::size_t phase) const {
     DragShipQuadratic held = *this;
-    held.t_reverse = phase == 0 ? std::numeric_limits<Real>::infinity() : Real(-std::numeric_limits<Real>::infinity());
+    held.t_reverse =
+        phase == 0 ? std::numeric_limits<Real>::infinity() : Real(-std::numeric_limits<Real>::infinity());
     return held;
   }
 
@@ -87,8 +91,8 @@ struct DragShipQuadratic {
   }
 
  private:
-  /// Advances y by the time t under a constant force. In units of the limiting speed r' = 1 - r|r|: a tangent until
-  /// the ship stands still, a hyperbolic tangent after.
+  /// Advances y by the time t under a constant force. In units of the limiting speed r' = 1 - r|r|: a tangent
+  /// until the ship stands still, a hyperbolic tangent after.
   template <class T>
   void push(const T& force, T t, T* y) const {
     using std::abs, std::atan, std::cos, std::expm1, std::log1p, std::sin, std::sinh, std::sqrt, std::tanh;

@@ -1,5 +1,6 @@
-// Jacobi's elliptic functions and the elliptic integrals, to the last digit of any ordered number type. The modulus
-// enters by its complement kc = sqrt(1 - k^2), which stays meaningful beside a separatrix, where k rounds to 1.
+// Jacobi's elliptic functions and the elliptic integrals, to the last digit of any ordered number type. The
+// modulus enters by its complement kc = sqrt(1 - k^2), which stays meaningful beside a separatrix, where k
+// rounds to 1.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -49,7 +50,8 @@ Jacobi<T> jacobi(const T& u, const T& kc) {
   std::array<T, 40> a, g;  // converges quadratically: 16 levels are enough for kc = 1e-300 and 50 digits
   std::size_t level = 0;
   a[0] = 1, g[0] = kc;
-  while (abs(a[level] - g[level]) > sqrt(std::numeric_limits<T>::epsilon()) * a[level] / 16 && level + 1 < a.size()) {
+  while (abs(a[level] - g[level]) > sqrt(std::numeric_limits<T>::epsilon()) * a[level] / 16 &&
+         level + 1 < a.size()) {
     a[level + 1] = (a[level] + g[level]) / 2;
     g[level + 1] = sqrt(a[level] * g[level]);
     ++level;
@@ -68,7 +70,7 @@ Jacobi<T> jacobi(const T& u, const T& kc) {
 }
 
 /// Carlson's symmetric integral of the first kind, all arguments >= 0 and at most one of them 0:
-/// B. C. Carlson, Numer. Algorithms 10 (1995) 13-26, doi:10.1007/BF02198293, (2.1)-(2.8).
+/// B. C. Carlson, Numer. Algorithms 10 (1995) 13-26, doi:10.1007/BF02198293.
 template <class T>
 T carlson_rf(T x, T y, T z) {
   using std::abs, std::sqrt;
@@ -84,7 +86,7 @@ T carlson_rf(T x, T y, T z) {
   }
 }
 
-/// Carlson's symmetric integral of the third kind for p >= x, y, z >= 0: the same paper, (2.15)-(2.27).
+/// Carlson's symmetric integral of the third kind for p >= x, y, z >= 0: the same paper.
 template <class T>
 T carlson_rj(T x, T y, T z, T p) {
   using std::abs, std::atan, std::sqrt;
@@ -96,7 +98,8 @@ T carlson_rj(T x, T y, T z, T p) {
     if (!(d2 * d2 * d2 > std::numeric_limits<T>::epsilon())) {
       const T uvw = u * v * w, e2 = u * v + u * w + v * w - 3 * q * q, e3 = uvw + 2 * e2 * q + 4 * q * q * q;
       const T e4 = (2 * uvw + e2 * q + 3 * q * q * q) * q, e5 = uvw * q * q;
-      const T series = 1 - 3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26;
+      const T series =
+          1 - 3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26;
       return sum + scale * series / (mean * sqrt(mean));
     }
     const T rx = sqrt(x), ry = sqrt(y), rz = sqrt(z), rp = sqrt(p), shift = rx * ry + rx * rz + ry * rz;

@@ -47,18 +47,20 @@ struct Preset {
 /// Amplitude and phase angle (radians, growing with time) of a state on an oscillation.
 struct Oscillation {
   double amplitude, phase;
+  double rate = 0;  // of the exact solution, rad/s
 };
 
-/// `before` until the instant `at`, `after` from then on: a force that is switched by the clock. Fixed steps walk over
-/// the instant, so this reads the time it is given. A number without an order (a recording, a pack of lanes) may
-/// overload it in its own namespace; otherwise it can only be asked about a switch that lies infinitely far away, which
-/// is what a family's `during(phase)` makes of it.
+/// `before` until the instant `at`, `after` from then on: a force that is switched by the clock. Fixed steps
+/// walk over the instant, so this reads the time it is given. A number without an order (a recording, a pack
+/// of lanes) may overload it in its own namespace; otherwise it can only be asked about a switch that lies
+/// infinitely far away, which is what a family's `during(phase)` makes of it.
 template <class T, class Real>
 T step_at(const T& t, const Real& at, const Real& before, const Real& after) {
   if constexpr (requires { bool(t < T(at)); }) {
     return t < T(at) ? T(before) : T(after);
   } else {
-    if (at - at == 0) throw std::logic_error("a switch in time cannot be recorded: stop there and use during(phase)");
+    if (at - at == 0)
+      throw std::logic_error("a switch in time cannot be recorded: stop there and use during(phase)");
     return T(at > 0 ? before : after);
   }
 }

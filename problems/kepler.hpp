@@ -18,7 +18,8 @@ struct Kepler {
       "D1-D5 of DETEST, T. E. Hull et al., SIAM J. Numer. Anal. 9 (1972) 603-637, doi:10.1137/0709052; "
       "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed. (Springer, 2006), I.2";
   static constexpr std::size_t size = 4;
-  static constexpr std::array<Component, size> components{{{"x", "m"}, {"y", "m"}, {"vx", "m/s"}, {"vy", "m/s"}}};
+  static constexpr std::array<Component, size> components{
+      {{"x", "m"}, {"y", "m"}, {"vx", "m/s"}, {"vy", "m/s"}}};
   static constexpr std::array<std::string_view, 4> invariant_names{"energy", "angular_momentum", "laplace_x",
                                                                    "laplace_y"};
   static constexpr bool force_depends_on_velocity = false;
@@ -27,9 +28,10 @@ struct Kepler {
 
   static constexpr auto parameters() {
     using P = Parameter<Kepler, Real>;
-    return std::array{P{"mu", "m^3/s^2", "gravitational parameter", &Kepler::mu, positive},
-                      P{"e", "", "eccentricity", &Kepler::e, Range{.lowest = 0, .highest = 1, .open_above = true}},
-                      P{"t_end", "s", "end of the interval", &Kepler::t_end, positive}};
+    return std::array{
+        P{"mu", "m^3/s^2", "gravitational parameter", &Kepler::mu, positive},
+        P{"e", "", "eccentricity", &Kepler::e, Range{.lowest = 0, .highest = 1, .open_above = true}},
+        P{"t_end", "s", "end of the interval", &Kepler::t_end, positive}};
   }
   static constexpr std::array presets{
       Preset{"kepler_e00", "e=0", "a circle"}, Preset{"kepler_e02", "e=0.2", "a mild ellipse"},
@@ -74,8 +76,8 @@ struct Kepler {
       }
   }
 
-  /// The exact flow of any bound state y0 at t = 0, apsis or not: Gauss's f and g functions of the eccentric anomaly
-  /// gained since, E; ec and es are e cos and e sin of the anomaly at the start.
+  /// The exact flow of any bound state y0 at t = 0, apsis or not: Gauss's f and g functions of the eccentric
+  /// anomaly gained since, E; ec and es are e cos and e sin of the anomaly at the start.
   template <class T>
   void exact(const T& t, const T* y0, T* y) const {
     using std::cos, std::sin, std::sqrt;

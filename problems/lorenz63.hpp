@@ -4,7 +4,8 @@
 
 namespace odemark {
 
-/// State (x, y, z). Errors grow by e^0.9 per unit of time: at t = 10 double precision still has 10 digits, at 50 none.
+/// State (x, y, z). Errors grow by e^0.9 per unit of time: at t = 10 double precision still has 10 digits, at
+/// 50 none.
 template <class Real = double>
 struct Lorenz63 {
   static constexpr std::string_view id = "lorenz63";

@@ -80,7 +80,7 @@ struct Oscillator {
   }
   Oscillation oscillation(const double* y) const {
     const double w = std::sqrt(double(k) / double(m));
-    return {std::hypot(y[0], y[1] / w), std::atan2(-y[1] / w, y[0])};
+    return {std::hypot(y[0], y[1] / w), std::atan2(-y[1] / w, y[0]), w};
   }
 };
 

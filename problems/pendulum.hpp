@@ -12,7 +12,8 @@ struct Pendulum {
   static constexpr std::string_view title = "Plane pendulum";
   static constexpr std::string_view equations = "theta' = omega;  omega' = -(g/length) sin(theta)";
   static constexpr std::string_view source =
-      "D. F. Lawden, Elliptic Functions and Applications (Springer, 1989), 5.1, doi:10.1007/978-1-4757-3980-0";
+      "D. F. Lawden, Elliptic Functions and Applications (Springer, 1989), 5.1, "
+      "doi:10.1007/978-1-4757-3980-0";
   static constexpr std::size_t size = 2;
   static constexpr std::array<Component, size> components{{{"theta", "rad"}, {"omega", "rad/s"}}};
   static constexpr std::array<std::string_view, 1> invariant_names{"energy"};
@@ -30,7 +31,7 @@ struct Pendulum {
   }
   static constexpr std::array presets{
       Preset{"pendulum", "", "released at 90 degrees (to a dyadic number, as below)"},
-      Preset{"pendulum_170", "theta0=2.96875", "released at 170 degrees"},
+      Preset{"pendulum_170", "theta0=2.96875,t_end=10.5", "released at 170 degrees"},
       Preset{"pendulum_near_separatrix", "theta0=3.139892578125,t_end=20", "released at 179.9 degrees"},
       Preset{"pendulum_rotating", "theta0=0,omega0=7", "fast enough to turn over and over"}};
 
@@ -58,9 +59,10 @@ struct Pendulum {
     j(1, 0) = -(T(g) / T(length)) * cos(y[0]), j(1, 1) = T(0);
   }
 
-  /// The exact flow: y0 is the state at t = 0. With w = sqrt(g/length), sin(theta/2) is k sn(w t + phase) while
-  /// swinging and sn(k w t + phase) while turning, of modulus k and 1/k. The phase enters by the addition theorems,
-  /// through S = sin, D = cos of theta0/2 and P = omega0/(2 w) alone; k^2 = S^2 + P^2 and 1 - k^2 = D^2 - P^2.
+  /// The exact flow: y0 is the state at t = 0. With w = sqrt(g/length), sin(theta/2) is k sn(w t + phase)
+  /// while swinging and sn(k w t + phase) while turning, of modulus k and 1/k. The phase enters by the
+  /// addition theorems, through S = sin, D = cos of theta0/2 and P = omega0/(2 w) alone; k^2 = S^2 + P^2 and
+  /// 1 - k^2 = D^2 - P^2.
   template <class T>
   void exact(const T& t, const T* y0, T* y) const {
     using std::abs, std::atan2, std::cos, std::sin, std::sqrt;
@@ -77,10 +79,10 @@ struct Pendulum {
       const T k = (P < 0 ? -1 : 1) * sqrt(S * S + P * P), kc = sqrt(-room) / abs(k), fast = P / k;
       const T u = k * w * t, half = elliptic::quarter_period(kc) * 2, over = elliptic::nearest(T(u / half));
       const auto [s, c, d] = elliptic::jacobi(T(u - (over == 0 ? T(0) : T(over * half))), kc);
-      const T below = c * c + s * s * fast * fast + s * s * S * S * kc * kc;  // 1 - (S s)^2 (1 - kc^2)
+      const T below = c * c + s * s * fast * fast;
       const T S1 = (S * c * d + s * D * fast) / below, D1 = (D * c - S * fast * s * d) / below;
       y[0] = y0[0] + turn * over + 2 * atan2(T(S1 * D - D1 * S), T(D1 * D + S1 * S));
-      y[1] = 2 * w * k * (fast * d - (1 - kc * kc) * S * D * s * c) / below;
+      y[1] = 2 * w * k * (fast * d - S * D / (k * k) * s * c) / below;
     }
   }
   /// Per mass.

@@ -4,7 +4,8 @@
 
 namespace odemark {
 
-/// State (y1, y2, y3), shares of the total mass. A negative y2 makes the true solution run away: positivity matters.
+/// State (y1, y2, y3), shares of the total mass. A negative y2 makes the true solution run away: positivity
+/// matters.
 template <class Real = double>
 struct Robertson {
   static constexpr std::string_view id = "robertson";
@@ -12,8 +13,10 @@ struct Robertson {
   static constexpr std::string_view equations =
       "y1' = -k1 y1 + k3 y2 y3;  y2' = k1 y1 - k3 y2 y3 - k2 y2^2;  y3' = k2 y2^2";
   static constexpr std::string_view source =
-      "H. H. Robertson, in J. Walsh (ed.), Numerical Analysis: An Introduction (Academic Press, 1966) 178-182; to 1e11: "
-      "F. Mazzia, C. Magherini, Test Set for Initial Value Problem Solvers, release 2.4 (2008), problem rober";
+      "H. H. Robertson, in J. Walsh (ed.), Numerical Analysis: An Introduction (Academic Press, 1966) "
+      "178-182; to 1e11: "
+      "F. Mazzia, C. Magherini, Test Set for Initial Value Problem Solvers, release 2.4 (2008), problem "
+      "rober";
   static constexpr std::size_t size = 3;
   static constexpr std::array<Component, size> components{{{"y1", ""}, {"y2", ""}, {"y3", ""}}};
   static constexpr std::array<std::string_view, 1> invariant_names{"total_mass"};

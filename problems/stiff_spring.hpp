@@ -8,9 +8,9 @@
 
 namespace odemark {
 
-/// State (x, v). The far end of spring and damper moves as amplitude sin(omega t), and the mass follows it closely,
-/// whatever the stiffness: a sweep over k changes the fast rates and nothing else. The start at rest misses the speed
-/// of the drive by amplitude omega, which excites the fast rates.
+/// State (x, v). The far end of spring and damper moves as amplitude sin(omega t), and the mass follows it
+/// closely, whatever the stiffness: a sweep over k changes the fast rates and nothing else. The start at rest
+/// misses the speed of the drive by amplitude omega, which excites the fast rates.
 template <class Real = double>
 struct StiffSpring {
   static constexpr std::string_view id = "stiff_spring";
@@ -27,14 +27,15 @@ struct StiffSpring {
 
   static constexpr auto parameters() {
     using P = Parameter<StiffSpring, Real>;
-    return std::array{P{"k", "N/m", "spring stiffness", &StiffSpring::k, positive},
-                      P{"m", "kg", "mass", &StiffSpring::m, positive},
-                      P{"c", "N s/m", "viscous damping", &StiffSpring::c, not_negative},
-                      P{"amplitude", "m", "amplitude of the drive", &StiffSpring::amplitude},
-                      P{"omega", "rad/s", "angular frequency of the drive", &StiffSpring::omega, not_negative},
-                      P{"x0", "m", "initial position", &StiffSpring::x0},
-                      P{"v0", "m/s", "initial velocity", &StiffSpring::v0},
-                      P{"t_end", "s", "end of the interval", &StiffSpring::t_end, positive}};
+    return std::array{
+        P{"k", "N/m", "spring stiffness", &StiffSpring::k, positive},
+        P{"m", "kg", "mass", &StiffSpring::m, positive},
+        P{"c", "N s/m", "viscous damping", &StiffSpring::c, not_negative},
+        P{"amplitude", "m", "amplitude of the drive", &StiffSpring::amplitude},
+        P{"omega", "rad/s", "angular frequency of the drive", &StiffSpring::omega, not_negative},
+        P{"x0", "m", "initial position", &StiffSpring::x0},
+        P{"v0", "m/s", "initial velocity", &StiffSpring::v0},
+        P{"t_end", "s", "end of the interval", &StiffSpring::t_end, positive}};
   }
   static constexpr auto shorthands() {
     using S = Shorthand<StiffSpring, Real>;
@@ -110,7 +111,8 @@ struct StiffSpring {
     const T w = T(omega), a = T(amplitude), s = sin(w * t), co = cos(w * t);
     const T detuning = T(k) / T(m) - w * w, friction = T(c) / T(m) * w;
     const T size2 = detuning * detuning + friction * friction;
-    const T p = a == 0 ? a : T(a * w * w * detuning / size2), q = a == 0 ? a : T(-a * w * w * friction / size2);
+    const T p = a == 0 ? a : T(a * w * w * detuning / size2),
+            q = a == 0 ? a : T(-a * w * w * friction / size2);
     const T start[2] = {y0[0] - q, y0[1] - (a + p) * w};
     DampedSpring<Real> spring;
     spring.k = k, spring.m = m, spring.c = c;

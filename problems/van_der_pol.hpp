@@ -14,7 +14,8 @@ struct VanDerPol {
   static constexpr std::string_view equations = "x' = v;  v' = mu (1 - x^2) v - x";
   static constexpr std::string_view source =
       "B. van der Pol, Phil. Mag. 2 (1926) 978-992, doi:10.1080/14786442608564127; mu = 1000 on [0, 2000]: "
-      "F. Mazzia, C. Magherini, Test Set for Initial Value Problem Solvers, release 2.4 (2008), problem vdpolm";
+      "F. Mazzia, C. Magherini, Test Set for Initial Value Problem Solvers, release 2.4 (2008), problem "
+      "vdpolm";
   static constexpr std::size_t size = 2;
   static constexpr std::array<Component, size> components{{{"x", ""}, {"v", ""}}};
   static constexpr bool force_depends_on_velocity = true;

@@ -20,10 +20,10 @@ std::string or_else(const std::string& text, const char* otherwise) {
   return text.empty() ? otherwise : text;
 }
 
-Cell x_cell(double x) { return number_cell(x, significant(x, digits)); }
+Cell x_cell(double x) { return number_cell(x, compact(x, digits)); }
 
 Cell y_cell(const Point& p) {
-  Cell cell = p.diverged ? Cell{"diverged", Status::warn} : number_cell(p.y, significant(p.y, digits));
+  Cell cell = p.diverged ? Cell{"diverged", Status::warn} : number_cell(p.y, compact(p.y, digits));
   if (!p.note.empty()) cell.text += fmt::format(" ({})", p.note);
   return cell;
 }
@@ -83,8 +83,8 @@ void fill_long(Table& table, const Chart& chart) {
     for (const int axis : {0, 1}) {
       const auto found = extent.find(axis);
       row.push_back(found == extent.end() ? number_cell(std::nan(""), "")
-                                          : Cell{fmt::format("{} … {}", significant(found->second.low, 4),
-                                                             significant(found->second.high, 4))});
+                                          : Cell{fmt::format("{} … {}", compact(found->second.low, 4),
+                                                             compact(found->second.high, 4))});
     }
     table.rows.push_back(std::move(row));
   }

@@ -48,6 +48,11 @@ std::string significant(double x, int digits) {
   return fixed(x, digits - 1 - exponent);
 }
 
+std::string compact(double x, int digits) {
+  if (!std::isfinite(x)) return std::string(no_value);
+  return fmt::format("{:.{}g}", x == 0 ? 0.0 : x, std::max(digits, 1));
+}
+
 std::string percent(double fraction, int digits) {
   if (!std::isfinite(fraction)) return std::string(no_value);
   return fixed(fraction * 100, digits) + " %";

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "reports/chart_notes.hpp"
@@ -21,7 +22,10 @@ namespace {
 std::string legend_html(const Chart& chart) {
   const auto groups = legend_groups(chart);
   if (groups.empty()) return {};
-  std::string out = "<ul class=\"legend\">\n";
+  std::size_t entries = 0;
+  for (const LegendGroup& group : groups) entries += group.entries.size();
+  constexpr std::size_t beside = 18;  // more would stand taller than the picture and go below it
+  std::string out = entries > beside ? "<ul class=\"legend many\">\n" : "<ul class=\"legend\">\n";
   for (const LegendGroup& group : groups) {
     if (!group.family.empty())
       fmt::format_to(std::back_inserter(out), "<li class=\"family\"><b>{}</b><ul>\n", escaped(group.family));

@@ -65,6 +65,8 @@ figure{margin:1.5rem 0 2.25rem;padding:1.25rem;border:1px solid var(--line);bord
 .legend{flex:1 1 11rem;font-size:.9rem;line-height:1.5;display:grid;align-content:start;
 grid-template-columns:repeat(auto-fill,minmax(10.5rem,1fr));gap:.1rem 1rem;padding-top:.25rem}
 .legend .family{margin-bottom:.5rem}
+.legend>li{align-self:start}
+.legend.many{flex-basis:100%}
 .legend b{color:var(--muted);font-weight:600;font-size:.85rem}
 .legend li li,.legend>li[data-series]{display:flex;align-items:center;gap:.5rem}
 .legend svg{flex:none;overflow:visible}

@@ -41,7 +41,7 @@ double width_of(const std::vector<LegendGroup>& column) {
   constexpr double gap = 16;
   double width = 0;
   for (const LegendGroup& group : column) {
-    width = std::max(width, pixel_width(group.family, 1.05 * theme::small_size) + gap);  // bold is wider
+    width = std::max(width, pixel_width(group.family, 1.2 * theme::small_size) + gap);  // bold is wider
     for (const LegendEntry& entry : group.entries)
       width = std::max(width, swatch_width + 6 + pixel_width(entry.label, theme::small_size) + gap);
   }

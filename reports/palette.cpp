@@ -9,18 +9,20 @@
 namespace odemark {
 namespace {
 
-// Ten hues told apart with any common colour blindness, at least 3:1 against white (light) or #0f1318 (dark).
-// After Okabe and Ito, "Color Universal Design" (2008), darkened or lightened to reach that contrast.
-constexpr std::array<ThemeColour, 10> theme{{{"#0069a8", "#5ab4f0"},
-                                             {"#d55e00", "#ff8a3d"},
-                                             {"#00876a", "#2fc9a0"},
-                                             {"#b0478a", "#e58cc4"},
-                                             {"#3d4450", "#c3cad4"},
-                                             {"#b07d00", "#e8b830"},
-                                             {"#5b3fb0", "#a794f5"},
-                                             {"#2494cc", "#8fd8f8"},
-                                             {"#8a1f3d", "#f27a93"},
-                                             {"#6f7a12", "#c2cc5a"}}};
+// Ten hues found by search: at least 3:1 against white (light) and 4.5:1 against #0f1318 (dark), and any two
+// at least 22 CIELAB units apart for normal, protanopic and deuteranopic sight (simulated after Viénot,
+// Brettel and Mollon, Color Research and Application 24, 1999). The first six are further apart than the
+// rest. Markers carry the rest.
+constexpr std::array<ThemeColour, 10> theme{{{"#0d96f5", "#5ea7ff"},
+                                             {"#9c2900", "#e64f03"},
+                                             {"#26a48c", "#96f9b2"},
+                                             {"#782283", "#b56980"},
+                                             {"#563142", "#c4edff"},
+                                             {"#c78700", "#ffdf00"},
+                                             {"#373cd7", "#4b7af7"},
+                                             {"#3d9ebd", "#00aece"},
+                                             {"#954c45", "#e4705c"},
+                                             {"#ab904d", "#ddee73"}}};
 
 constexpr std::array markers{
     Marker::circle, Marker::square, Marker::triangle_up,    Marker::diamond, Marker::triangle_down,

@@ -17,7 +17,7 @@ namespace odemark::svg {
 namespace {
 
 std::string axis_text(const Axis& axis, const char* fallback, double value) {
-  return fmt::format("{}: {}", axis.label.empty() ? fallback : axis.label, significant(value, 5));
+  return fmt::format("{}: {}", axis.label.empty() ? fallback : axis.label, compact(value, 5));
 }
 
 std::string hover(const Chart& chart, const Series& series, const Point& p) {

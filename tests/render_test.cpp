@@ -238,6 +238,7 @@ TEST(Numbers, Formats) {
   EXPECT_EQ(engineering(1.234e-5, 3), "12.3e-06");
   EXPECT_EQ(significant(0.012345, 3), "0.0123");
   EXPECT_EQ(significant(9.996, 3), "10.0");
+  EXPECT_EQ(compact(-0.0, 3) + compact(40, 6) + compact(1e-12, 6), "0401e-12");
   EXPECT_EQ(percent(0.1234, 1), "12.3 %");
   EXPECT_EQ(duration(1.23e-8), "12.3 ns");
   EXPECT_EQ(duration(9.9996e-7), "1.00 µs");

@@ -1,0 +1,254 @@
+// The command line: what may be said, and which exit code an ending has.
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <map>
+
+#include "bench/cli/commands.hpp"
+#include "bench/cli/files.hpp"
+#include "bench/json_line.hpp"
+#include "bench/machine.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/truth.hpp"
+
+namespace odemark {
+
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+void on_interrupt(int) {
+  interrupted = true;
+  signal(SIGINT, SIG_DFL);  // a second Ctrl-C ends the program at once
+}
+
+/// "0.1:0.5:10" is ten values from 0.1, each half the one before; or a list "0.1,0.05"; quotients like 1/60
+/// are fine.
+std::vector<double> parse_ladder(std::string_view option, const std::string& text) {
+  std::vector<double> values;
+  std::vector<std::string> parts;
+  const char separator = text.find(':') != text.npos ? ':' : ',';
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (separator == ',') {
+    for (const auto& part : parts) values.push_back(parse_number(option, part));
+    return values;
+  }
+  if (parts.size() != 3)
+    throw BadInput(
+        fmt::format("{} {}: write start:ratio:count, like 0.1:0.5:10, or values with commas", option, text));
+  double value = parse_number(option, parts[0]);
+  const double ratio = parse_number(option, parts[1]), count = parse_number(option, parts[2]);
+  if (!(ratio > 0) || ratio == 1 || !(count >= 1 && count <= 1000) || count != std::floor(count))
+    throw BadInput(fmt::format(
+        "{} {}: the ratio must be above 0 and not 1, the count a whole number from 1 to 1000", option, text));
+  for (int i = 0; i < static_cast<int>(count); ++i, value *= ratio) values.push_back(value);
+  return values;
+}
+
+void add_common(CLI::App& command, CommonOptions& options) {
+  command.add_flag("-q,--quiet", options.quiet, "results only, no progress");
+  const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
+                                                    {"bar", ProgressStyle::bar},
+                                                    {"lines", ProgressStyle::lines},
+                                                    {"none", ProgressStyle::none}};
+  command.add_option("--progress", options.progress, "auto, bar, lines or none (on stderr)")
+      ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case))
+      ->option_text("STYLE");
+}
+
+CLI::Option* add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
+  return command.add_option("--format", format, fmt::format("{}", fmt::join(formats, ", ")))
+      ->check(CLI::IsMember(formats))
+      ->option_text("FORMAT");
+}
+
+}  // namespace
+
+int odemark_main(int argc, char** argv, const Registry& registry) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  // Google Benchmark reads its own flags; they must not be judged here
+  const bool benchmark_flag = std::any_of(arguments.begin(), arguments.end(),
+                                          [](const std::string& a) { return a.starts_with("--benchmark_"); });
+  if (!arguments.empty() && (arguments[0] == "bench" || (benchmark_flag && arguments[0].starts_with("--"))))
+    return bench_command({arguments.begin() + (arguments[0] == "bench" ? 1 : 0), arguments.end()});
+
+  CLI::App app(
+      "Which time integrator, and which dt: error, stability boundaries and cost per step, measured.",
+      "odemark");
+  app.set_version_flag("--version",
+                       version_text());
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 ran, 1 a threshold violated, 2 usage, 3 gate incomplete, 4 a case failed where a result "
+      "was required, 130 interrupted.");
+
+  RunOptions run;
+  std::string dt_text, tol_text;
+  auto& run_app = *app.add_subcommand("run", "measure error, work and time; rows stream to results.jsonl");
+  run_app.add_option("-s,--suite", run.plan.suite, fmt::format("{}", fmt::join(suite_names(), ", ")))
+      ->option_text("NAME");
+  run_app.add_option("--methods", run.plan.methods, "ids with commas; * and ? match")->option_text("LIST");
+  run_app.add_option("--problems", run.plan.problems, "presets or families with commas; * and ? match")
+      ->option_text("LIST");
+  run_app.add_option("--set", run.plan.settings, "parameters of the problems, like k=6e5,m=168,zeta=0.1")
+      ->option_text("SETTINGS");
+  run_app.add_option("--dt", dt_text, "step sizes: 1/30,1/60 or start:ratio:count")->option_text("LADDER");
+  run_app.add_option("--tol", tol_text, "tolerances: 1e-3,1e-6 or start:ratio:count")->option_text("LADDER");
+  run_app.add_option("--filter", run.plan.filter, "step-size filter: elementary, pi or h211b")
+      ->option_text("NAME");
+  run_app.add_option("--scalar", run.plan.scalars, "float, double, long_double, with commas")
+      ->option_text("LIST");
+  run_app.add_flag("--compensated", run.plan.compensated,
+                   "carry the rounding error of the state (fixed steps)");
+  run_app.add_flag("!--no-timing", run.plan.timing, "errors and work only");
+  run_app.add_flag("!--no-stability", run.stability, "leave out the stability limits");
+  run_app.add_option("--time-limit", run.plan.time_limit_seconds, "seconds for one run")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
+  run_app.add_option("-j,--jobs", run.jobs, "threads for the errors; times are always taken one by one")
+      ->option_text("N");
+  run_app.add_flag("--resume", run.resume, "keep the rows that are there and go on");
+  run_app.add_option("-o,--output", run.output, "folder of results.jsonl")->option_text("DIR");
+  add_common(run_app, run);
+
+  ReportOptions report;
+  auto& report_app =
+      *app.add_subcommand("report", "report.html, chapter.html, SVG, Markdown and CSV from results.jsonl");
+  report_app.add_option("-o,--output", report.output, "folder of results.jsonl and of the report")
+      ->option_text("DIR");
+  report_app.add_option("--title", report.title, "title of the report")->option_text("TEXT");
+  add_common(report_app, report);
+
+  CheckOptions check;
+  auto& check_app = *app.add_subcommand("check", "gate results on thresholds.toml and baseline.json");
+  check_app.add_option("-o,--output", check.output, "folder of results.jsonl")->option_text("DIR");
+  check_app.add_option("--thresholds", check.thresholds, "written by people")->option_text("FILE");
+  check_app.add_option("--baseline", check.baseline, "written by `odemark approve`")->option_text("FILE");
+  check_app.add_option("--junit", check.junit, "write JUnit XML")->option_text("FILE");
+  check_app.add_option("--markdown", check.markdown, "write a summary for a pull request")
+      ->option_text("FILE");
+  check_app.add_option("--json", check.json, "write the findings as JSON")->option_text("FILE");
+  check_app.add_flag("--github", check.github, "print workflow annotations");
+  check_app.add_flag("--strict", check.strict, "final bits must equal the baseline's");
+  add_common(check_app, check);
+
+  ApproveOptions approve;
+  auto& approve_app = *app.add_subcommand("approve", "make these results the baseline");
+  approve_app.add_option("-o,--output", approve.output, "folder of results.jsonl")->option_text("DIR");
+  approve_app.add_option("--baseline", approve.baseline, "the file to write")->option_text("FILE");
+  approve_app.add_option("--only", approve.only, "regular expression on row ids")->option_text("REGEX");
+  approve_app.add_option("--reason", approve.reason, "why the numbers changed")
+      ->required()
+      ->option_text("TEXT");
+  approve_app.add_flag("--dry-run", approve.dry_run, "show the changes, write nothing");
+  approve_app.add_flag("--force", approve.force, "even where CI is set");
+  add_common(approve_app, approve);
+
+  CompareOptions compare;
+  auto& compare_app = *app.add_subcommand("compare", "before and after: errors, orders, work, times");
+  compare_app.add_option("files", compare.files, "results.jsonl files, the first is before")
+      ->required()
+      ->expected(2, 100)
+      ->option_text("FILE FILE ...");
+  compare_app.add_option("--only", compare.only, "regressed, improved, changed or all")
+      ->check(CLI::IsMember({"regressed", "improved", "changed", "all"}))
+      ->option_text("WHICH");
+  add_format(compare_app, compare.format, {"table", "markdown", "json"});
+
+  ListOptions list;
+  auto& list_app = *app.add_subcommand("list", "methods, problems and suites");
+  list_app.add_flag("--methods", list.methods, "methods only");
+  list_app.add_flag("--problems", list.problems, "problems only");
+  list_app.add_flag("--suites", list.suites, "suites only");
+  add_format(list_app, list.format, {"table", "json", "names"});
+
+  StabilityOptions stability;
+  std::string stability_dt;
+  auto& stability_app =
+      *app.add_subcommand("stability", "largest stable dt: measured, in theory, and what a dt of yours does");
+  stability_app.add_option("--problem", stability.problem, "a linear problem; default: the suite's")
+      ->option_text("ID");
+  stability_app.add_option("--set", stability.settings, "its parameters, like k=6e5,m=168,zeta=0.1")
+      ->option_text("SETTINGS");
+  stability_app.add_option("--methods", stability.methods, "ids with commas; * and ? match")
+      ->option_text("LIST");
+  stability_app.add_option("--dt", stability_dt, "your dt, like 1/60: verdict, margin, growth, substeps")
+      ->option_text("DT");
+  stability_app.add_option("-j,--jobs", stability.jobs, "threads")
+      ->check(CLI::Range(1, 256))
+      ->option_text("N");
+  add_format(stability_app, stability.format, {"table", "json", "markdown", "csv"});
+  add_common(stability_app, stability);
+
+  TruthOptions truth;
+  std::string truth_t;
+  auto& truth_app =
+      *app.add_subcommand("truth", "the solution to many digits, by two independent computations");
+  truth_app.add_option("problem", truth.problem, "preset or family")->required()->option_text("PROBLEM");
+  truth_app.add_option("--set", truth.settings, "parameters, like k=6e5,m=168")->option_text("SETTINGS");
+  truth_app.add_option("--t", truth_t, "time; default: the problem's t_end")->option_text("T");
+  truth_app.add_option("--digits", truth.digits, "digits asked for")->option_text("N");
+  truth_app.add_flag("--exact-inputs", truth.exact_inputs,
+                     "decimals at full value instead of rounded to double");
+  truth_app.add_option("--time-limit", truth.time_limit, "seconds")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
+  add_format(truth_app, truth.format, {"text", "json"});
+
+  app.add_subcommand("bench", "cost per step by Google Benchmark; every --benchmark_* flag works");
+  DoctorOptions doctor;
+  auto& doctor_app = *app.add_subcommand("doctor", "what affects the numbers on this machine");
+  add_format(doctor_app, doctor.format, {"text", "json"});
+
+  try {
+    app.parse(argc, argv);
+    run.plan.dts = dt_text.empty() ? std::vector<double>{} : parse_ladder("--dt", dt_text);
+    run.plan.tolerances = tol_text.empty() ? std::vector<double>{} : parse_ladder("--tol", tol_text);
+    if (!stability_dt.empty()) {
+      stability.dt = parse_number("--dt", stability_dt);
+      if (!(stability.dt > 0))
+        throw BadInput(fmt::format("--dt {} is no step: it must be above 0", stability_dt));
+    }
+    if (!truth_t.empty()) {
+      truth.t = parse_number("--t", truth_t);
+      if (!(truth.t > 0))
+        throw BadInput(fmt::format("--t {} is no time to ask for: it must be above 0", truth_t));
+    }
+    signal(SIGINT, on_interrupt);
+    signal(SIGTERM, on_interrupt);
+    if (app.got_subcommand("run")) return run_command(registry, run, interrupted);
+    if (app.got_subcommand("report")) return report_command(registry, report);
+    if (app.got_subcommand("check")) return check_command(check);
+    if (app.got_subcommand("approve")) return approve_command(approve);
+    if (app.got_subcommand("compare")) return compare_command(compare);
+    if (app.got_subcommand("list")) return list_command(registry, list);
+    if (app.got_subcommand("stability")) return stability_command(registry, stability);
+    if (app.got_subcommand("truth")) return truth_command(registry, truth);
+    if (app.got_subcommand("doctor")) return doctor_command(doctor);
+    return exit_usage;
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+    fmt::print(stderr, "odemark: {}\n", e.what());
+    return exit_usage;
+  } catch (const BadInput& e) {
+    fmt::print(stderr, "odemark: {}\n", e.what());
+    return exit_usage;
+  } catch (const BadResults& e) {
+    fmt::print(stderr, "odemark: {}\n", e.what());
+    return exit_usage;
+  } catch (const TruthUnavailable& e) {
+    fmt::print(stderr, "odemark: {}\n", e.what());
+    return exit_failed;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "odemark: {}\n", e.what());
+    return exit_failed;
+  }
+}
+
+}  // namespace odemark

@@ -1,0 +1,94 @@
+// What each subcommand needs, and what it returns as an exit code.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "bench/plan.hpp"
+
+namespace odemark {
+
+/// 0 ran; 1 a threshold was violated; 2 a usage error; 3 the gate is incomplete; 4 a case or a reference
+/// solver failed where a result was required; 130 interrupted, finished rows kept.
+enum ExitCode {
+  exit_ok = 0,
+  exit_violated = 1,
+  exit_usage = 2,
+  exit_incomplete = 3,
+  exit_failed = 4,
+  exit_interrupted = 130
+};
+
+enum class ProgressStyle { automatic, bar, lines, none };
+
+struct CommonOptions {
+  bool quiet = false;
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+struct RunOptions : CommonOptions {
+  PlanOptions plan;
+  std::string output = "out";
+  int jobs = 1;
+  bool resume = false, stability = true;
+};
+
+struct ReportOptions : CommonOptions {
+  std::string output = "out", title;
+};
+
+struct CheckOptions : CommonOptions {
+  std::string output = "out", thresholds = "thresholds.toml", baseline = "baseline.json";
+  std::string junit, markdown, json;
+  bool github = false, strict = false;
+};
+
+struct ApproveOptions : CommonOptions {
+  std::string output = "out", baseline = "baseline.json", only, reason;
+  bool dry_run = false, force = false;
+};
+
+struct CompareOptions : CommonOptions {
+  std::vector<std::string> files;
+  std::string only = "changed", format = "table";
+};
+
+struct ListOptions {
+  bool methods = false, problems = false, suites = false;
+  std::string format = "table";
+};
+
+struct StabilityOptions : CommonOptions {
+  std::string methods, problem, settings, format = "table";
+  double dt = 0;  // 0: limits; else a verdict on this dt
+  int jobs = 1;
+};
+
+struct TruthOptions {
+  std::string problem, settings, format = "text";
+  double t = 0;  // 0: t_end
+  int digits = 30;
+  bool exact_inputs = false;
+  double time_limit = 120;
+};
+
+struct DoctorOptions {
+  std::string format = "text";
+};
+
+int run_command(const Registry&, const RunOptions&, const std::atomic<bool>& stop);
+int report_command(const Registry&, const ReportOptions&);
+int check_command(const CheckOptions&);
+int approve_command(const ApproveOptions&);
+int compare_command(const CompareOptions&);
+int list_command(const Registry&, const ListOptions&);
+int stability_command(const Registry&, const StabilityOptions&);
+int truth_command(const Registry&, const TruthOptions&);
+int bench_command(const std::vector<std::string>& arguments);
+int doctor_command(const DoctorOptions&);
+
+/// The whole program on a registry; what main() calls.
+int odemark_main(int argc, char** argv, const Registry& registry);
+
+}  // namespace odemark

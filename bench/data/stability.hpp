@@ -1,0 +1,31 @@
+// The largest stable step of a method on a linear problem: measured, in theory, and their difference. Plain
+// data.
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odemark {
+
+struct StabilityRow {
+  std::string problem, family, settings, method, kind, provider;
+  std::string scalar = "double";
+  /// "limit": stable up to `measured`; "unstable": at every dt that was tried, down to the resolution;
+  /// "unlimited": stable as far as was looked, `scanned_to`; "blank": see `reason`.
+  std::string verdict, reason;
+  std::optional<double> measured, theory;  // dt, s
+  double resolution = 0;                   // of `measured`, s
+  std::optional<double> difference;        // measured - theory, s
+  double scanned_to = 0;                   // s
+  double fastest_rate = 0;  // largest |lambda| of the problem, 1/s; dt * fastest_rate is the usual z
+  std::vector<std::pair<double, double>> later_bands;  // stable intervals of dt beyond the first instability
+  double reference_dt = 0;                             // the problem's suggested dt ...
+  std::optional<double> growth_per_second;  // ... and ln(amplitude) per second measured there, where unstable
+  std::optional<double> theory_growth_per_second;
+  std::vector<std::complex<double>> eigenvalues;
+};
+
+}  // namespace odemark

@@ -1,0 +1,259 @@
+#include "bench/json_line.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace odemark {
+
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys stay in the order of the schema, so that files diff well
+
+/// NaN and infinity have no JSON; the status of a row says what happened, so such values are left out.
+void put(Json& j, const char* key, double value) {
+  if (std::isfinite(value)) j[key] = value;
+}
+template <class T>
+void put(Json& j, const char* key, const std::optional<T>& value) {
+  if (!value) return;
+  if constexpr (std::is_floating_point_v<T>)
+    put(j, key, *value);
+  else
+    j[key] = *value;
+}
+void put(Json& j, const char* key, const std::string& text) {
+  if (!text.empty()) j[key] = text;
+}
+
+double number(const Json& j, const char* key) { return j.value(key, 0.0); }
+std::string text(const Json& j, const char* key) { return j.value(key, std::string()); }
+template <class T>
+std::optional<T> maybe(const Json& j, const char* key) {
+  const auto found = j.find(key);
+  return found == j.end() || found->is_null() ? std::nullopt : std::optional<T>(found->template get<T>());
+}
+
+Json work_json(const RowWork& w) {
+  return {{"rhs", w.rhs},
+          {"acceleration", w.acceleration},
+          {"jacobian", w.jacobian},
+          {"series", w.series},
+          {"lu", w.lu},
+          {"newton", w.newton},
+          {"evaluations", w.evaluations}};
+}
+RowWork work_from(const Json& j) {
+  return {j.value("rhs", 0L), j.value("acceleration", 0L), j.value("jacobian", 0L),   j.value("series", 0L),
+          j.value("lu", 0L),  j.value("newton", 0L),       j.value("evaluations", 0L)};
+}
+
+Json errors_json(const RowErrors& e) {
+  Json j = Json::object();
+  put(j, "scaled", e.scaled), put(j, "absolute", e.absolute), put(j, "relative", e.relative),
+      put(j, "rms", e.rms);
+  put(j, "trajectory_max", e.trajectory_max), put(j, "trajectory_rms", e.trajectory_rms);
+  put(j, "amplitude", e.amplitude), put(j, "phase", e.phase);
+  return j;
+}
+RowErrors errors_from(const Json& j) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();  // written as absent: never a good value
+  return {j.value("scaled", nothing),         j.value("absolute", nothing),
+          maybe<double>(j, "relative"),       j.value("rms", nothing),
+          maybe<double>(j, "trajectory_max"), maybe<double>(j, "trajectory_rms"),
+          maybe<double>(j, "amplitude"),      maybe<double>(j, "phase")};
+}
+
+Json timing_json(const RowTiming& t) {
+  return {{"minimum_seconds", t.minimum_seconds},
+          {"median_seconds", t.median_seconds},
+          {"mad_seconds", t.mad_seconds},
+          {"repeats", t.repeats},
+          {"ns_per_step", t.ns_per_step},
+          {"ns_per_simulated_second", t.ns_per_simulated_second},
+          {"tier", t.tier}};
+}
+RowTiming timing_from(const Json& j) {
+  return {number(j, "minimum_seconds"),
+          number(j, "median_seconds"),
+          number(j, "mad_seconds"),
+          j.value("repeats", 0),
+          number(j, "ns_per_step"),
+          number(j, "ns_per_simulated_second"),
+          text(j, "tier")};
+}
+
+Row row_from(const Json& j) {
+  Row r;
+  r.id = text(j, "id"), r.plan = text(j, "plan");
+  r.problem = text(j, "problem"), r.family = text(j, "family"), r.settings = text(j, "settings");
+  r.method = text(j, "method"), r.kind = text(j, "kind"), r.provider = text(j, "provider");
+  r.order = j.value("order", 0), r.embedded_order = j.value("embedded_order", 0);
+  r.scalar = text(j, "scalar"), r.compensated = j.value("compensated", false);
+  r.steps = maybe<long>(j, "steps"), r.dt = maybe<double>(j, "dt");
+  r.rtol = maybe<double>(j, "rtol"), r.atol = maybe<double>(j, "atol"), r.filter = text(j, "filter");
+  r.status = text(j, "status"), r.reason = text(j, "reason");
+  r.accepted = j.value("accepted", 0L), r.rejected = j.value("rejected", 0L);
+  r.t_end = number(j, "t_end"), r.t_reached = number(j, "t_reached");
+  if (j.contains("work")) r.work = work_from(j["work"]);
+  if (j.contains("errors")) r.errors = errors_from(j["errors"]);
+  r.truth_floor = number(j, "truth_floor"), r.sensitivity = number(j, "sensitivity");
+  r.truth_digits = number(j, "truth_digits");
+  if (j.contains("drift"))
+    for (const auto& [name, value] : j["drift"].items())
+      r.drift[name] = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  if (j.contains("timing")) r.timing = timing_from(j["timing"]);
+  r.state_hash = text(j, "state_hash");
+  if (r.id.empty() || r.status.empty()) throw std::invalid_argument("a run needs \"id\" and \"status\"");
+  return r;
+}
+
+StabilityRow stability_from(const Json& j) {
+  StabilityRow r;
+  r.problem = text(j, "problem"), r.family = text(j, "family"), r.settings = text(j, "settings");
+  r.method = text(j, "method"), r.kind = text(j, "kind"), r.provider = text(j, "provider");
+  r.scalar = text(j, "scalar"), r.verdict = text(j, "verdict"), r.reason = text(j, "reason");
+  r.measured = maybe<double>(j, "measured"), r.theory = maybe<double>(j, "theory");
+  r.difference = maybe<double>(j, "difference"), r.resolution = number(j, "resolution");
+  r.scanned_to = number(j, "scanned_to"), r.fastest_rate = number(j, "fastest_rate");
+  for (const auto& band : j.value("later_bands", Json::array()))
+    r.later_bands.emplace_back(band.at(0), band.at(1));
+  r.reference_dt = number(j, "reference_dt");
+  r.growth_per_second = maybe<double>(j, "growth_per_second");
+  r.theory_growth_per_second = maybe<double>(j, "theory_growth_per_second");
+  for (const auto& z : j.value("eigenvalues", Json::array()))
+    r.eigenvalues.emplace_back(z.at(0).get<double>(), z.at(1).get<double>());
+  if (r.problem.empty() || r.verdict.empty())
+    throw std::invalid_argument("a stability row needs \"problem\" and \"verdict\"");
+  return r;
+}
+
+RunHeader header_from(const Json& j) {
+  RunHeader h;
+  h.schema = j.at("schema").get<int>();
+  h.suite = text(j, "suite"), h.version = text(j, "version"), h.revision = text(j, "revision"),
+  h.date = text(j, "date");
+  h.compiler = text(j, "compiler"), h.flags = text(j, "flags"), h.build_type = text(j, "build_type");
+  h.processor = text(j, "processor"), h.system = text(j, "system"), h.cores = j.value("cores", 0);
+  h.providers = j.value("providers", std::map<std::string, std::string>());
+  h.footnotes = j.value("footnotes", std::vector<std::string>());
+  return h;
+}
+
+}  // namespace
+
+std::string to_json_line(const RunHeader& h) {
+  Json j = {{"record", "header"}, {"schema", h.schema}};
+  put(j, "suite", h.suite), put(j, "version", h.version), put(j, "revision", h.revision),
+      put(j, "date", h.date);
+  put(j, "compiler", h.compiler), put(j, "flags", h.flags), put(j, "build_type", h.build_type);
+  put(j, "processor", h.processor), put(j, "system", h.system);
+  j["cores"] = h.cores;
+  j["providers"] = h.providers;
+  j["footnotes"] = h.footnotes;
+  return j.dump();
+}
+
+std::string to_json_line(const Row& r) {
+  Json j = {{"record", "run"}, {"id", r.id}, {"plan", r.plan}, {"problem", r.problem}};
+  put(j, "family", r.family), put(j, "settings", r.settings);
+  j["method"] = r.method;
+  put(j, "kind", r.kind), put(j, "provider", r.provider);
+  j["order"] = r.order, j["embedded_order"] = r.embedded_order, j["scalar"] = r.scalar;
+  j["compensated"] = r.compensated;
+  put(j, "steps", r.steps), put(j, "dt", r.dt), put(j, "rtol", r.rtol), put(j, "atol", r.atol),
+      put(j, "filter", r.filter);
+  j["status"] = r.status;
+  put(j, "reason", r.reason);
+  j["accepted"] = r.accepted, j["rejected"] = r.rejected;
+  put(j, "t_end", r.t_end), put(j, "t_reached", r.t_reached);
+  j["work"] = work_json(r.work);
+  if (r.errors) j["errors"] = errors_json(*r.errors);
+  put(j, "truth_floor", r.truth_floor), put(j, "sensitivity", r.sensitivity),
+      put(j, "truth_digits", r.truth_digits);
+  if (!r.drift.empty()) {
+    Json drift = Json::object();
+    for (const auto& [name, value] : r.drift)
+      drift[name] = std::isfinite(value) ? Json(value) : Json(nullptr);
+    j["drift"] = drift;
+  }
+  if (r.timing) j["timing"] = timing_json(*r.timing);
+  put(j, "state_hash", r.state_hash);
+  return j.dump();
+}
+
+std::string to_json_line(const StabilityRow& r) {
+  Json j = {{"record", "stability"}, {"problem", r.problem}};
+  put(j, "family", r.family), put(j, "settings", r.settings);
+  j["method"] = r.method;
+  put(j, "kind", r.kind), put(j, "provider", r.provider);
+  j["scalar"] = r.scalar, j["verdict"] = r.verdict;
+  put(j, "reason", r.reason), put(j, "measured", r.measured), put(j, "theory", r.theory);
+  put(j, "resolution", r.resolution), put(j, "difference", r.difference), put(j, "scanned_to", r.scanned_to);
+  put(j, "fastest_rate", r.fastest_rate);
+  if (!r.later_bands.empty()) j["later_bands"] = r.later_bands;
+  put(j, "reference_dt", r.reference_dt), put(j, "growth_per_second", r.growth_per_second);
+  put(j, "theory_growth_per_second", r.theory_growth_per_second);
+  Json eigenvalues = Json::array();
+  for (const auto& z : r.eigenvalues) eigenvalues.push_back({z.real(), z.imag()});
+  j["eigenvalues"] = eigenvalues;
+  return j.dump();
+}
+
+Results parse_results(std::string_view all, std::string_view name) {
+  Results results;
+  bool has_header = false;
+  long line_number = 0;
+  while (!all.empty()) {
+    ++line_number;
+    const std::size_t end = all.find('\n');
+    const std::string_view line = all.substr(0, std::min(end, all.size()));
+    all.remove_prefix(end == all.npos ? all.size() : end + 1);
+    if (end == line.npos) {
+      results.cut = true;
+      break;
+    }
+    if (line.empty()) continue;
+    try {
+      const Json j = Json::parse(line);
+      const std::string record = text(j, "record");
+      if (!has_header) {
+        if (record != "header")
+          throw std::invalid_argument("the first line must be the header that `odemark run` writes");
+        results.header = header_from(j);
+        if (results.header.schema != row_schema)
+          throw std::invalid_argument(
+              fmt::format("it has schema {}, this odemark reads schema {}: run the suite again",
+                          results.header.schema, row_schema));
+        has_header = true;
+      } else if (record == "run") {
+        results.rows.push_back(row_from(j));
+      } else if (record == "stability") {
+        results.stability.push_back(stability_from(j));
+      } else {
+        throw std::invalid_argument(
+            fmt::format("\"{}\" is no kind of record: header, run or stability", record));
+      }
+    } catch (const nlohmann::json::exception& e) {
+      throw BadResults(fmt::format("{}:{}: not a results line ({})", name, line_number, e.what()));
+    } catch (const std::invalid_argument& e) {
+      throw BadResults(fmt::format("{}:{}: {}", name, line_number, e.what()));
+    }
+  }
+  if (!has_header) throw BadResults(fmt::format("{}: empty, not a results file", name));
+  return results;
+}
+
+Results read_results(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw BadResults(fmt::format("cannot read {}: run `odemark run` first, or say where with -o", path));
+  std::ostringstream all;
+  all << file.rdbuf();
+  return parse_results(all.str(), path);
+}
+
+}  // namespace odemark

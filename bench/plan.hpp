@@ -1,0 +1,42 @@
+// A plan is data: which methods on which problems under which controls. A suite is a few plans.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/registry.hpp"
+#include "bench/run.hpp"
+
+namespace odemark {
+
+struct PlannedRun {
+  const AnyMethod* method;
+  std::shared_ptr<const AnyProblem> problem;
+  RunRequest request;
+  std::string plan;
+};
+
+/// What `odemark run` was asked for. Empty lists mean: what the suite says.
+struct PlanOptions {
+  std::string suite = "quick";  // quick, standard, full or gate
+  std::string methods, problems, settings;
+  std::vector<double> dts;         // fixed steps: instead of the suite's ladder
+  std::vector<double> tolerances;  // error control: instead of the suite's ladder
+  std::string filter = "pi";
+  std::string scalars = "";  // "float,double,long_double"; empty: what the suite says
+  bool compensated = false;
+  bool timing = true;
+  double time_limit_seconds = 20;
+};
+
+std::vector<std::string> suite_names();
+
+/// Every run of the suite, in the order in which rows are written: problem by problem, method by method, from
+/// the coarsest control to the finest. Throws BadInput.
+std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& options);
+
+/// Counts of equal steps from about eight times the suggested dt downwards, each twice the one before;
+/// multiples of 16, so that the common time grid falls on steps.
+std::vector<long> step_ladder(const AnyProblem& problem, int rungs);
+
+}  // namespace odemark
