@@ -21,8 +21,9 @@ out=
 suite=(--suite quick)
 for ((i = 0; i < ${#arguments[@]}; ++i)); do
   case ${arguments[i]} in
-    -s | --suite | --suite=*) suite=() ;;
+    -s* | --suite | --suite=*) suite=() ;;
     -o | --output) out=${arguments[i + 1]-} ;;
+    -o?*) out=${arguments[i]#-o} ;;
     --output=*) out=${arguments[i]#--output=} ;;
   esac
 done

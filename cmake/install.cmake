@@ -2,11 +2,18 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(exported)
-foreach(name numbers integrators problems reference sundials gsl odeint bench reports main)
-  if(TARGET odemark_${name})
-    set_target_properties(odemark_${name} PROPERTIES EXPORT_NAME ${name})
-    list(APPEND exported odemark_${name})
+set(libraries)
+set(programs)
+get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+foreach(target ${targets})
+  get_target_property(type ${target} TYPE)
+  get_target_property(is_tool ${target} EXCLUDE_FROM_ALL)
+  if(type STREQUAL "EXECUTABLE" AND NOT is_tool)
+    list(APPEND programs ${target})
+  elseif(type MATCHES "LIBRARY" AND NOT target STREQUAL "odemark_warnings")  # ours to heed, nobody else's
+    list(APPEND libraries ${target})
+    string(REGEX REPLACE "^odemark_" "" name ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   endif()
 endforeach()
 
@@ -28,23 +35,23 @@ foreach(name integrators problems reference bench reports)
 endforeach()
 target_sources(odemark_integrators PUBLIC FILE_SET generated_headers TYPE HEADERS
   BASE_DIRS ${ODEMARK_GENERATED}/include FILES ${ODEMARK_GENERATED}/include/integrators/catalogue.hpp)
+if(TARGET odemark_main)  # of the command line, only the one function that its users define
+  target_sources(odemark_main PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
+    FILES ${PROJECT_SOURCE_DIR}/bench/cli/user.hpp)
+endif()
 
-install(TARGETS ${exported} EXPORT odemarkTargets
+install(TARGETS ${libraries} EXPORT odemarkTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odemark
   FILE_SET generated_headers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odemark)
-foreach(program odemark odemark_bench)
-  if(TARGET ${program})
-    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  endif()
-endforeach()
+install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/odemark)
 install(EXPORT odemarkTargets NAMESPACE odemark:: DESTINATION ${package})
-foreach(contestant sundials gsl)  # Boost.odeint is headers only: nothing of it is left to find
-  string(TOUPPER ${contestant} upper)
+foreach(optional sundials gsl step_cost)  # Boost.odeint is headers only: nothing of it is left to find
+  string(TOUPPER ${optional} upper)
   set(ODEMARK_HAS_${upper} OFF)
-  if(TARGET odemark_${contestant})
+  if(TARGET odemark_${optional})
     set(ODEMARK_HAS_${upper} ON)
   endif()
 endforeach()

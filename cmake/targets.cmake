@@ -22,9 +22,16 @@ target_include_directories(odemark_problems INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/odemark>)
 target_link_libraries(odemark_problems INTERFACE odemark::numbers)
 
+find_package(nlohmann_json REQUIRED)
+include(cmake/solutions.cmake)
 file(GLOB reference_sources CONFIGURE_DEPENDS reference/*.cpp)
 odemark_library(reference SOURCES ${reference_sources} ${ODEMARK_FAMILY_UNITS} ${ODEMARK_WIDE_UNITS}
-  LINK odemark::integrators odemark::problems Boost::headers fmt::fmt)
+  ${ODEMARK_GENERATED}/stored_solutions.cpp
+  LINK odemark::integrators odemark::problems Boost::headers fmt::fmt nlohmann_json::nlohmann_json)
+
+# Makes and verifies reference/solutions; run from the top of the sources.
+add_executable(odemark_make_solutions EXCLUDE_FROM_ALL tools/make_solutions.cpp)
+target_link_libraries(odemark_make_solutions PRIVATE odemark::reference odemark_warnings Threads::Threads)
 
 # Third-party solvers, each its own target: GSL is GPL-3, and nobody must need all of them.
 set(ODEMARK_CONTESTANTS)

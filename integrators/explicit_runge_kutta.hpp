@@ -57,7 +57,7 @@ class ExplicitRungeKuttaStepper {
 
   void start() { first_known_ = false; }
 
-  StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
+  [[gnu::always_inline]] StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
     if (!first_known_) system_.rhs(t, y, first_);
     first_known_ = true;  // still f(t, y) if this attempt is rejected
     if constexpr (is_fixed)

@@ -54,44 +54,52 @@ NewtonCounts newton_counts_of(const S& stepper) {
     return {};
 }
 
-/// Equal steps on t0 + n (t1 - t0) / count: times are computed, never accumulated.
+/// Equal steps on t0 + n (t1 - t0) / count: times are computed, never accumulated. The state travels in a local and
+/// the loop is inlined into its caller, so that stepper and state of a small problem live in registers.
 template <Stepper S, class Observer = NoObserver>
-RunReport integrate(S& stepper, FixedSteps steps, double t0, double t1, typename S::State& y,
-                    Observer&& observe = {}) {
-  using Real = RealOf<typename S::State>;
+[[gnu::always_inline]] inline RunReport integrate(S& stepper, FixedSteps steps, double t0, double t1,
+                                                  typename S::State& y_in_out, Observer&& observe = {}) {
+  using State = typename S::State;
+  using Real = RealOf<State>;
   const Real begin = Real(t0), h = (Real(t1) - begin) / Real(steps.count);
-  typename S::State next = blank_like(y), error = blank_like(y), carry = zeros_like(y),
-                    next_carry = zeros_like(y);
+  State y = y_in_out, next = blank_like(y), error = blank_like(y), carry = zeros_like(y), next_carry = zeros_like(y);
   RunReport report;
   const auto stop = [&](RunStatus status, Real t) {
+    y_in_out = y;
     report.status = status;
     report.t_reached = double(t);
     report.newton = newton_counts_of(stepper);
     return report;
   };
+  if (steps.compensated && !CompensatedStepper<S>) {
+    report.reason = "has no compensated summation";
+    return stop(RunStatus::not_applicable, begin);
+  }
   stepper.start();
   for (long n = 0; n < steps.count; ++n) {
     const Real t = begin + Real(n) * h;
     StepStatus status = StepStatus::ok;
     if constexpr (CompensatedStepper<S>) {
-      status = steps.compensated ? stepper.attempt_compensated(t, y, carry, h, next, next_carry)
-                                 : stepper.attempt(t, y, h, next, error);
-      if (steps.compensated) std::swap(carry, next_carry);
-    } else {
       if (steps.compensated) {
-        report.reason = "has no compensated summation";
-        return stop(RunStatus::not_applicable, t);
+        status = stepper.attempt_compensated(t, y, carry, h, next, next_carry);
+        std::swap(carry, next_carry);
+      } else {
+        status = stepper.attempt(t, y, h, next, error);
       }
+    } else {
       status = stepper.attempt(t, y, h, next, error);
     }
-    if (status != StepStatus::ok)
-      return stop(all_finite(y) ? RunStatus::newton_diverged : RunStatus::not_finite, t);
+    if (status != StepStatus::ok) return stop(all_finite(y) ? RunStatus::newton_diverged : RunStatus::not_finite, t);
     stepper.accept();
-    const Real t_next = n + 1 == steps.count ? Real(t1) : begin + Real(n + 1) * h;
     ++report.accepted;
-    const bool go_on = observe(t, y, t_next, next);
-    std::swap(y, next);
-    if (!go_on) return stop(RunStatus::time_limit, t_next);
+    if (!observe(t, y, n + 1 == steps.count ? Real(t1) : begin + Real(n + 1) * h, next)) {
+      std::swap(y, next);
+      return stop(RunStatus::time_limit, begin + Real(n + 1) * h);
+    }
+    if constexpr (fixed_size<State> > 0)
+      y = next;
+    else
+      std::swap(y, next);
   }
   return stop(all_finite(y) ? RunStatus::reached_end : RunStatus::not_finite, Real(t1));
 }

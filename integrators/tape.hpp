@@ -172,6 +172,10 @@ class TaylorSeries {
   const T& coefficient(std::size_t component, int k) const {
     return state_[component * stride_ + std::size_t(k)];
   }
+  /// Of an entry of the tape; known up to one order less than the state.
+  const T& entry_coefficient(std::size_t entry, int k) const {
+    return rows_[entry * stride_ + std::size_t(k)];
+  }
 
  private:
   T* row(std::size_t entry) { return &rows_[entry * stride_]; }

@@ -8,7 +8,8 @@
 
 namespace odemark {
 
-/// One instruction of a second-order step on x'' = a(x, v), in units of h; (x_n, v_n) is the start of the step.
+/// One instruction of a second-order step on x'' = a(x, v), in units of h; (x_n, v_n) is the start of the
+/// step.
 struct SecondOrderMove {
   enum class What {
     drift,           // x += weight h v

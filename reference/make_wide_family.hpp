@@ -19,7 +19,6 @@ WideProblem make_wide_problem(std::shared_ptr<const F> values) {
   problem.size = F::size;
   problem.t_end = Wide(values->t_end);
   problem.initial.resize(F::size);
-  problem.tape = record<Wide>(*values, F::size);
   problem.rhs = [](const void* p, const Wide& t, const Wide* y, Wide* dydt) {
     static_cast<const F*>(p)->rhs(t, y, dydt);
   };
@@ -34,8 +33,15 @@ WideProblem make_wide_problem(std::shared_ptr<const F> values) {
     problem.invariants = [](const void* p, const Wide* y, Wide* out) {
       static_cast<const F*>(p)->invariants(y, out);
     };
-  if constexpr (requires { values->switch_times(); })
+  if constexpr (requires { values->switch_times(); }) {
     for (const auto& t : values->switch_times()) problem.switch_times.emplace_back(t);
+    for (std::size_t phase = 0; phase <= problem.switch_times.size(); ++phase) {
+      const auto held = std::make_shared<const F>(values->during(phase));
+      problem.phases.push_back({held, record<Wide>(*held, F::size)});
+    }
+  } else {
+    problem.phases.push_back({values, record<Wide>(*values, F::size)});
+  }
   problem.value = values;
   return problem;
 }

@@ -15,14 +15,20 @@ namespace odemark {
 using Wide =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
+/// The right-hand side between two switch times. It is smooth there but for kinks of abs.
+struct WidePhase {
+  std::shared_ptr<const void> value;  // the family held in this phase
+  Tape<Wide> tape;                    // of its rhs
+};
+
 struct WideProblem {
   std::size_t size = 0;
   Wide t_end;
   std::vector<Wide> initial, switch_times;
+  std::vector<WidePhase> phases;      // one more than switch times
   std::shared_ptr<const void> value;  // Family<double>, or Family<Wide> for exact inputs
-  Tape<Wide> tape;                    // of rhs
-  void (*rhs)(const void*, const Wide& t, const Wide* y, Wide* dydt) = nullptr;
-  void (*jacobian)(const void*, const Wide& t, const Wide* y, Wide* column_major) = nullptr;
+  void (*rhs)(const void*, const Wide& t, const Wide* y, Wide* dydt) = nullptr;  // of a phase's value
+  void (*jacobian)(const void*, const Wide& t, const Wide* y, Wide* column_major) = nullptr;  // likewise
   void (*exact)(const void*, const Wide& t, const Wide* y0, Wide* y) = nullptr;  // null: no closed form
   void (*invariants)(const void*, const Wide* y, Wide* out) = nullptr;           // null: none known
 };

@@ -13,6 +13,11 @@ run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${WORK}/build -DCMAKE_PREFIX_PATH=
   -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
+run(${WORK}/build/own_odemark run --quiet --methods ralston3,rk4 --problems logistic --dt 0.1,0.05 -o ${WORK}/out)
+file(STRINGS ${WORK}/out/results.jsonl rows REGEX "\"logistic\".*\"ralston3\"")
+if(NOT rows)
+  message(FATAL_ERROR "no row of the own method on the own problem in ${WORK}/out/results.jsonl")
+endif()
 
 file(GLOB_RECURSE exports ${WORK}/prefix/*odemarkTargets*.cmake)
 foreach(file ${exports})

@@ -20,7 +20,10 @@ constexpr Row row{
     true,
     true,
     false,
-    "uBLAS, compiled without its run-time checks. df/dt by a central difference: two evaluations per "
+    "Boost 1.74 has the fourth coefficient of df/dt with the wrong sign: order 1 where f depends on time, 4 "
+    "where "
+    "it does not. uBLAS, compiled without its run-time checks. df/dt by a central difference: two "
+    "evaluations per "
     "step. Error test: root mean square in units of each component's scale where scales are given "
     "(two operations per component and evaluation). Grid values: side steps of the same stepper."};
 

@@ -16,7 +16,8 @@ std::vector<double> end_of(const odemark::AnyMethod& method, const odemark::AnyP
   const auto& runs = method.runs<double>();
   if (!runs.solve || !method.takes_fixed_steps) return {};
   if (!odemark::missing_ability(method.needs, problem.abilities).empty()) return {};
-  const auto report = runs.solve(problem.system<double>(), odemark::FixedSteps{count}, problem.t_begin, problem.t_end, y);
+  const auto report =
+      runs.solve(problem.system<double>(), odemark::FixedSteps{count}, problem.t_begin, problem.t_end, y);
   return report.status == odemark::RunStatus::reached_end ? y : std::vector<double>{};
 }
 
@@ -31,7 +32,8 @@ double observed_order(const odemark::AnyMethod& method, const odemark::AnyProble
 
 int main() {
   const auto own_method = odemark::erase_method<consumer::ralston3>();
-  const auto own_problem = odemark::find_problem({odemark::make_family<consumer::Logistic>()}, "logistic", "r=2");
+  const auto own_problem =
+      odemark::find_problem({odemark::make_family<consumer::Logistic>()}, "logistic", "r=2");
   const auto oscillator = odemark::find_problem(odemark::suite_families(), "oscillator");
   const double oscillator_end = std::cos(oscillator.t_end);
   double start = 0.125, own_end = 0;
@@ -41,12 +43,13 @@ int main() {
   for (const auto& method : odemark::suite_methods())
     if (const auto y = end_of(method, own_problem, steps); !y.empty()) {
       ++suite_methods_run;
-      std::printf("%-32s error %.1e on own problem\n", std::string(method.id).c_str(), std::abs(y[0] - own_end));
+      std::printf("%-32s error %.1e on own problem\n", std::string(method.id).c_str(),
+                  std::abs(y[0] - own_end));
     }
   const double on_own = observed_order(own_method, own_problem, own_end);
   const double on_suite = observed_order(own_method, oscillator, oscillator_end);
-  std::printf("%d suite methods; own method: order %.2f on own problem, %.2f on the suite's\n", suite_methods_run, on_own,
-              on_suite);
+  std::printf("%d suite methods; own method: order %.2f on own problem, %.2f on the suite's\n",
+              suite_methods_run, on_own, on_suite);
   const bool good = suite_methods_run > 10 && std::abs(on_own - 3) < 0.3 && std::abs(on_suite - 3) < 0.3;
   if (!good) std::printf("expected more than 10 suite methods and order 3 twice\n");
   return good ? 0 : 1;

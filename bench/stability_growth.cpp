@@ -1,0 +1,96 @@
+// Growth of a step: matrix powers by squaring, and what rounding can do to the answer.
+#include "bench/stability_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace odemark {
+
+namespace {
+
+using Wide = long double;
+
+std::vector<Wide> product(std::size_t n, const std::vector<Wide>& a, const std::vector<Wide>& b) {
+  std::vector<Wide> out(n * n, 0);
+  for (std::size_t c = 0; c < n; ++c)
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t r = 0; r < n; ++r) out[c * n + r] += a[k * n + r] * b[c * n + k];
+  return out;
+}
+
+}  // namespace
+
+long double matrix_growth(std::size_t size, std::vector<long double> matrix) {
+  Wide growth = 0, weight = 1;
+  for (int squarings = 0; squarings < 80; ++squarings) {
+    Wide norm = 0;
+    for (const Wide entry : matrix) {
+      if (!std::isfinite(entry)) return std::numeric_limits<Wide>::quiet_NaN();
+      norm = std::max(norm, std::abs(entry));
+    }
+    if (norm == 0) return -std::numeric_limits<Wide>::infinity();
+    growth += weight * std::log(norm);
+    weight /= 2;
+    for (Wide& entry : matrix) entry /= norm;
+    matrix = product(size, matrix, matrix);
+  }
+  return growth;
+}
+
+template <class T>
+void StepProbe::prepare(const AnyMethod& method, const ErasedSystem<T>& system) {
+  unit_ = double(std::numeric_limits<T>::epsilon()) / 2;
+  size_ = system.size;
+  terms_ = std::max(2, method.order);
+  std::vector<T> y(size_, T(0)), jacobian(size_ * size_, T(0));
+  system.jacobian(T(0), y, MatrixView<T>{jacobian.data(), size_});
+  jacobian_.assign(jacobian.begin(), jacobian.end());
+  if (const auto transition = method.runs<T>().transition)
+    step_ = [transition, &system](double dt) {
+      const auto m = transition(system, T(dt));
+      return Step{m.solved, m.size, {m.columns.begin(), m.columns.end()}};
+    };
+}
+
+StepProbe::StepProbe(const AnyMethod& method, const ErasedSystem<double>& system) { prepare(method, system); }
+StepProbe::StepProbe(const AnyMethod& method, const ErasedSystem<float>& system) { prepare(method, system); }
+
+StepGrowth StepProbe::operator()(double dt, bool with_noise) const {
+  const Step step = step_(dt);
+  StepGrowth out;
+  out.solved = step.solved;
+  out.growth = matrix_growth(step.size, step.matrix);
+  if (with_noise && std::isfinite(out.growth)) out.noise = noise_of(step, out.growth, dt);
+  return out;
+}
+
+/// Moves every entry by a few roundings of the terms it was summed from: those of exp(|J| dt), as many as the
+/// method's order. Near a double eigenvalue this is the square root of a rounding, far above the rounding
+/// itself.
+long double StepProbe::noise_of(const Step& step, long double growth, double dt) const {
+  std::vector<Wide> scale(step.size * step.size, 0), term(size_ * size_, 0), rate(jacobian_);
+  for (Wide& entry : rate) entry = std::abs(entry) * Wide(dt);
+  for (std::size_t i = 0; i < size_; ++i) term[i * size_ + i] = 1;
+  for (int k = 1; k <= terms_ + 1; ++k) {
+    for (std::size_t c = 0; c < size_; ++c)
+      for (std::size_t r = 0; r < size_; ++r) scale[c * step.size + r] += term[c * size_ + r];
+    term = product(size_, rate, term);
+    for (Wide& entry : term) entry /= Wide(k);
+  }
+  Wide sum = 0;
+  for (std::size_t i = 0; i < scale.size(); ++i) {
+    const Wide move = 4 * Wide(unit_) * (scale[i] + std::abs(step.matrix[i]));
+    if (move == 0) continue;
+    Wide worst = 0;
+    for (const Wide sign : {-1.0L, 1.0L}) {
+      auto moved = step.matrix;
+      moved[i] += sign * move;
+      worst = std::max(worst, std::abs(matrix_growth(step.size, moved) - growth));
+    }
+    sum += worst;
+  }
+  return sum;
+}
+
+}  // namespace odemark

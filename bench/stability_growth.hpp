@@ -1,0 +1,49 @@
+// How fast one compiled step, applied for ever, makes a linear problem grow.
+#pragma once
+
+#include "integrators/any_method.hpp"
+
+namespace odemark {
+
+/// lim ln ||M^N|| / N by repeated squaring, scaled at every squaring: no threshold, no overflow, and a Jordan
+/// block counts for nothing. -infinity for a nilpotent matrix. Column-major.
+long double matrix_growth(std::size_t size, std::vector<long double> matrix);
+
+struct StepGrowth {
+  bool solved = true;      // false: an implicit stage could not be solved
+  long double growth = 0;  // per step; NaN where an entry of the matrix is not finite
+  long double noise = 0;   // how far rounding of the step's entries may move it; only where asked for
+};
+
+/// One step of a method on a linear homogeneous system, in double or float.
+class StepProbe {
+ public:
+  StepProbe(const AnyMethod& method, const ErasedSystem<double>& system);
+  StepProbe(const AnyMethod& method, const ErasedSystem<float>& system);
+
+  bool available() const { return static_cast<bool>(step_); }
+  double unit_roundoff() const { return unit_; }
+  /// Growth per step up to which a step counts as stable.
+  double tolerance() const { return std::max(1e-12, 50 * unit_); }
+  /// Growth per step below which rounding and instability cannot be told apart.
+  double floor() const { return 16 * unit_; }
+  StepGrowth operator()(double dt, bool with_noise = false) const;
+
+ private:
+  struct Step {
+    bool solved;
+    std::size_t size;
+    std::vector<long double> matrix;
+  };
+  template <class T>
+  void prepare(const AnyMethod& method, const ErasedSystem<T>& system);
+  long double noise_of(const Step& step, long double growth, double dt) const;
+
+  std::function<Step(double dt)> step_;
+  std::vector<long double> jacobian_;
+  std::size_t size_ = 0;
+  int terms_ = 2;
+  double unit_ = 0;
+};
+
+}  // namespace odemark

@@ -1,0 +1,66 @@
+// The verdicts that the report prints and the gate acts on: one function decides for both. NaN is never good.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace odemark {
+
+enum class OrderVerdict { holds, fails, exceeds, inconclusive };
+
+constexpr std::string_view to_string(OrderVerdict verdict) {
+  switch (verdict) {
+    case OrderVerdict::holds: return "holds";
+    case OrderVerdict::fails: return "fails";
+    case OrderVerdict::exceeds: return "exceeds";
+    case OrderVerdict::inconclusive: return "inconclusive";
+  }
+  return "unknown";
+}
+
+inline OrderVerdict judge_order(double slope, double claimed, double slack) {
+  if (!std::isfinite(slope)) return OrderVerdict::inconclusive;
+  if (!(slope >= claimed - slack)) return OrderVerdict::fails;
+  return slope > claimed + slack ? OrderVerdict::exceeds : OrderVerdict::holds;
+}
+
+/// What became of a quantity of which less is better, or of a run.
+enum class Change { same, better, worse };
+
+/// Growth by more than `factor` and by more than `floor` is worse; below the floor differences are round-off.
+inline Change judge_change(double now, double before, double factor, double floor) {
+  if (!std::isfinite(now)) return std::isfinite(before) ? Change::worse : Change::same;
+  if (!std::isfinite(before)) return Change::better;
+  if (std::abs(now - before) <= floor) return Change::same;
+  if (now > before * factor) return Change::worse;
+  return now * factor < before ? Change::better : Change::same;
+}
+
+inline Change judge_status(std::string_view now, std::string_view before) {
+  const bool now_good = now == "reached_end", before_good = before == "reached_end";
+  if (now_good == before_good) return Change::same;
+  return now_good ? Change::better : Change::worse;
+}
+
+/// Times differ only if the medians do by `factor` and by more than three times their deviations together.
+inline Change judge_time(double now, double before, double now_mad, double before_mad, double factor) {
+  if (!(now > 0) || !(before > 0) || !std::isfinite(now / before)) return Change::same;
+  if (!(std::abs(now - before) > 3 * (now_mad + before_mad))) return Change::same;
+  if (now > before * factor) return Change::worse;
+  return now * factor < before ? Change::better : Change::same;
+}
+
+enum class StabilityMatch { agrees, differs, nothing_to_compare };
+
+/// A measured stability limit against theory; an absent one is NaN. `verdict` is that of the stability row.
+inline StabilityMatch judge_stability(std::string_view verdict, double measured, double theory,
+                                      double resolution, double relative) {
+  const auto agree = [](bool yes) { return yes ? StabilityMatch::agrees : StabilityMatch::differs; };
+  if (std::isnan(theory) || verdict == "blank") return StabilityMatch::nothing_to_compare;
+  if (verdict == "unlimited") return agree(std::isinf(theory));
+  if (verdict == "unstable") return agree(theory <= std::max(resolution, 0.0));
+  return agree(std::abs(measured - theory) <= relative * theory + std::max(resolution, 0.0));
+}
+
+}  // namespace odemark
