@@ -43,13 +43,12 @@ std::vector<ChapterFigure> figures(double k, double m, double dt) {
   all.push_back({"7-2", {ship_exact(0, 20), ship_curve("explicit_euler", 20)}, 0, 20});
   all.push_back({"7-3", {ship_exact(6.5, 8.5), ship_curve("explicit_euler", 8.5)}, 6.5, 8.5});
   all.push_back({"7-4", {ship_exact(40, 60), ship_curve("explicit_euler", 60)}, 40, 60});
-  all.push_back({"7-5", {spring_exact, spring_curve("explicit_euler"), spring_curve("chapter_euler")}, 0,
-                 spring_end});
+  all.push_back(
+      {"7-5", {spring_exact, spring_curve("explicit_euler"), spring_curve("chapter_euler")}, 0, spring_end});
   const auto three = [&](double to) {
     return std::vector{ship_curve("explicit_euler", to), ship_curve("heun", to), ship_curve("rk4", to)};
   };
-  for (const auto& [number, from, to] :
-       {std::tuple{"7-6", 0.0, 20.0}, std::tuple{"7-7", 6.5, 8.5}}) {
+  for (const auto& [number, from, to] : {std::tuple{"7-6", 0.0, 20.0}, std::tuple{"7-7", 6.5, 8.5}}) {
     ChapterFigure figure{number, three(to), from, to};
     figure.curves.insert(figure.curves.begin(), ship_exact(from, to));
     all.push_back(std::move(figure));

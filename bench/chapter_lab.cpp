@@ -54,8 +54,8 @@ Stepped<T> solve(const AnyMethod& method, const AnyProblem& problem, const Contr
   out.y = initial_state<T>(problem);
   Trace<T> trace;
   trace.on_step = std::move(on_step);
-  out.report = method.runs<T>().solve_traced(counting.view(), problem.system<T>(), control, 0, t_end, out.y,
-                                             trace);
+  out.report =
+      method.runs<T>().solve_traced(counting.view(), problem.system<T>(), control, 0, t_end, out.y, trace);
   out.evaluations = counts.rhs + counts.acceleration;
   return out;
 }
@@ -69,8 +69,8 @@ Stepped<T> step(const AnyMethod& method, const AnyProblem& problem, double dt, l
 }
 
 template <class T>
-Stepped<T> adapt(const AnyMethod& method, const AnyProblem& problem, const ErrorControl& control, double t_end,
-                 OnStep<T> on_step) {
+Stepped<T> adapt(const AnyMethod& method, const AnyProblem& problem, const ErrorControl& control,
+                 double t_end, OnStep<T> on_step) {
   return solve<T>(method, problem, control, t_end, std::move(on_step));
 }
 

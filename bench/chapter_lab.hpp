@@ -41,8 +41,8 @@ template <class T>
 Stepped<T> step(const AnyMethod& method, const AnyProblem& problem, double dt, long count,
                 OnStep<T> on_step = {});
 template <class T>
-Stepped<T> adapt(const AnyMethod& method, const AnyProblem& problem, const ErrorControl& control, double t_end,
-                 OnStep<T> on_step = {});
+Stepped<T> adapt(const AnyMethod& method, const AnyProblem& problem, const ErrorControl& control,
+                 double t_end, OnStep<T> on_step = {});
 
 /// Evaluations of the right-hand side in one step, counted.
 int evaluations_per_step(const AnyMethod& method, const AnyProblem& problem);

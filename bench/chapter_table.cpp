@@ -15,11 +15,10 @@ struct BookLine {
   double t;
   const char *exact, *euler, *error;
 };
-constexpr std::array book{BookLine{6.5, "9.559084", "9.733158", "1.82"},
-                          BookLine{7.0, "10.06829", "10.2465", "1.77"},
-                          BookLine{7.5, "10.55267", "10.73418", "1.72"},
-                          BookLine{8.0, "11.01342", "11.19747", "1.67"},
-                          BookLine{8.5, "11.4517", "11.63759", "1.62"}};
+constexpr std::array book{
+    BookLine{6.5, "9.559084", "9.733158", "1.82"}, BookLine{7.0, "10.06829", "10.2465", "1.77"},
+    BookLine{7.5, "10.55267", "10.73418", "1.72"}, BookLine{8.0, "11.01342", "11.19747", "1.67"},
+    BookLine{8.5, "11.4517", "11.63759", "1.62"}};
 struct BookMean {
   const char *method, *percent;
 };
@@ -34,7 +33,8 @@ std::string percent_text(double percent, std::string_view like) {
   if (like.find('e') == like.npos) return fmt::format("{:.2f}", percent);
   const std::string text = fmt::format("{:.1e}", percent);  // "3.6e-06"
   const std::size_t sign = text.find('e') + 1;
-  return text.substr(0, sign) + (text[sign] == '-' ? "-" : "") + std::to_string(std::stoi(text.substr(sign + 1)));
+  return text.substr(0, sign) + (text[sign] == '-' ? "-" : "") +
+         std::to_string(std::stoi(text.substr(sign + 1)));
 }
 
 PrintedNumber compared(const char* theirs, std::string ours, double value) {
@@ -80,7 +80,8 @@ ChapterTable table_in(std::string_view scalar) {
     double sum = 0;
     for (std::size_t i = 0; i < book.size(); ++i) sum += relative(v[i], i);
     const double percent = sum / double(book.size());
-    table.means.push_back({mean.method, compared(mean.percent, percent_text(percent, mean.percent), percent)});
+    table.means.push_back(
+        {mean.method, compared(mean.percent, percent_text(percent, mean.percent), percent)});
   }
   return table;
 }
@@ -93,8 +94,7 @@ ListingHash listing_hash(std::string_view problem_id, std::string_view scalar) {
   const auto end = [&](std::string_view method) {
     return step<T>(method_called(method), problem, dt, count).y;
   };
-  const auto listing = end("chapter_euler"), semi = end("semi_implicit_euler"),
-             euler = end("explicit_euler");
+  const auto listing = end("chapter_euler"), semi = end("semi_implicit_euler"), euler = end("explicit_euler");
   ListingHash hash{std::string(problem_id), std::string(scalar), hash_bits(listing), hash_bits(semi),
                    hash_bits(euler)};
   hash.speed_gap = std::abs(double(listing[1] - euler[1]));

@@ -45,7 +45,8 @@ RunHeader describe_machine() {
   utsname system{};
   if (uname(&system) == 0) h.system = fmt::format("{} {} {}", system.sysname, system.release, system.machine);
   h.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  for (const auto& provider : contestant_providers()) h.providers[std::string(provider.name)] = provider.version;
+  for (const auto& provider : contestant_providers())
+    h.providers[std::string(provider.name)] = provider.version;
   return h;
 }
 

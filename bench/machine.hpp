@@ -7,8 +7,8 @@
 
 namespace odemark {
 
-/// Compiler, flags and build type of the measured code; processor, cores and system of this machine; versions of the
-/// third-party solvers; footnotes for what affects their numbers. The date is UTC.
+/// Compiler, flags and build type of the measured code; processor, cores and system of this machine; versions
+/// of the third-party solvers; footnotes for what affects their numbers. The date is UTC.
 RunHeader describe_machine();
 
 /// "odemark 0.1.0  g++ 12.2 -O3 -ffp-contract=off  sundials 6.4.1  gsl 2.7.1  2 cores".

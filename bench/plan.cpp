@@ -117,6 +117,20 @@ std::vector<std::string> suite_names() {
   return names;
 }
 
+std::string suite_text(const PlanOptions& o) {
+  std::string text = o.suite;
+  const auto add = [&](std::string_view name, const std::string& value) {
+    if (!value.empty()) text += fmt::format(" {}={}", name, value);
+  };
+  add("methods", o.methods), add("problems", o.problems), add("set", o.settings);
+  add("dt", fmt::format("{}", fmt::join(o.dts, ","))),
+      add("tol", fmt::format("{}", fmt::join(o.tolerances, ",")));
+  add("scalar", o.scalars);
+  if (o.filter != "pi") add("filter", o.filter);
+  if (o.compensated) text += " compensated";
+  return text;
+}
+
 std::vector<long> step_ladder(const AnyProblem& problem, int rungs) {
   const double interval = problem.t_end - problem.t_begin;
   const double wished = interval / (8 * problem.suggested_dt);

@@ -31,6 +31,9 @@ struct PlanOptions {
 
 std::vector<std::string> suite_names();
 
+/// The options as text: two runs with equal text ask for the same rows.
+std::string suite_text(const PlanOptions& options);
+
 /// Every run of the suite, in the order in which rows are written: problem by problem, method by method, from
 /// the coarsest control to the finest. Throws BadInput.
 std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& options);

@@ -1,4 +1,4 @@
-# Reads integrators/catalogue.txt and problems/catalogue.txt and writes what follows from them: one unit per method,
+# Reads integrators/catalogue.txt and problems/catalogue.txt and writes what follows from them: one unit per file of methods,
 # one per family, and for the static tier one per family and chunk of methods. A method or a family is one file and
 # one line; nothing else names them.
 set(ODEMARK_GENERATED ${PROJECT_BINARY_DIR}/generated)
@@ -32,23 +32,28 @@ set(includes "")
 set(declarations "")
 set(calls "")
 set(ODEMARK_METHOD_UNITS)
+set(files)
 foreach(method ${ODEMARK_METHODS})
-  set(header integrators/methods/${file_of_${method}}.hpp)
-  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${header})
-    message(FATAL_ERROR "integrators/catalogue.txt names ${method}, but ${header} does not exist")
+  set(file ${file_of_${method}})
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/integrators/methods/${file}.hpp)
+    message(FATAL_ERROR "integrators/catalogue.txt names ${method}, but integrators/methods/${file}.hpp does not exist")
   endif()
-  string(APPEND includes "#include \"${header}\"\n")
+  if(NOT file IN_LIST files)
+    list(APPEND files ${file})
+    string(APPEND includes "#include \"integrators/methods/${file}.hpp\"\n")
+  endif()
+  string(APPEND unit_of_${file} "AnyMethod erased_${method}();\nAnyMethod erased_${method}() { return erase_method<${method}>(); }\n")
   string(APPEND declarations "AnyMethod erased_${method}();\n")
   string(APPEND calls "    methods.push_back(erased_${method}());\n")
-  odemark_write(${ODEMARK_GENERATED}/methods/${method}.cpp
-"#include \"${header}\"
+endforeach()
+foreach(file ${files})
+  odemark_write(${ODEMARK_GENERATED}/methods/${file}.cpp
+"#include \"integrators/methods/${file}.hpp\"
 #include \"integrators/erase_method.hpp\"
 namespace odemark {
-AnyMethod erased_${method}();
-AnyMethod erased_${method}() { return erase_method<${method}>(); }
-}
+${unit_of_${file}}}
 ")
-  list(APPEND ODEMARK_METHOD_UNITS ${ODEMARK_GENERATED}/methods/${method}.cpp)
+  list(APPEND ODEMARK_METHOD_UNITS ${ODEMARK_GENERATED}/methods/${file}.cpp)
 endforeach()
 list(REMOVE_DUPLICATES ODEMARK_METHODS)
 string(REPLACE ";" ", " names "${ODEMARK_METHODS}")
@@ -77,6 +82,15 @@ ${calls}    return methods;
 ")
 list(APPEND ODEMARK_METHOD_UNITS ${ODEMARK_GENERATED}/suite_methods.cpp)
 
+# Numbered families of methods (taylor[1..20]) stay in the erased tier: their tape is interpreted either way.
+set(ODEMARK_STATIC_METHODS)
+foreach(method ${ODEMARK_METHODS})
+  if(NOT file_of_${method} STREQUAL method)
+    continue()  # a family of methods in one file
+  endif()
+  list(APPEND ODEMARK_STATIC_METHODS ${method})
+endforeach()
+
 # families
 file(STRINGS ${PROJECT_SOURCE_DIR}/problems/catalogue.txt lines REGEX "^[a-z]")
 set(declarations "")
@@ -90,7 +104,7 @@ set(ODEMARK_WIDE_UNITS)
 set(ODEMARK_STATIC_UNITS)
 set(ODEMARK_FAMILIES)
 set(ODEMARK_STATIC_FAMILIES)
-set(chunk_size 7)
+set(chunk_size 8)
 foreach(line ${lines})
   if(NOT line MATCHES "^([a-z0-9_]+) +([A-Za-z0-9]+)( +static)? *$")
     message(FATAL_ERROR "problems/catalogue.txt: cannot read \"${line}\"; write: id ClassTemplate [static]")
@@ -129,7 +143,7 @@ WideFamily wide_${id}() { return make_wide_family<${type}>(); }
     set(chunk "")
     set(chunk_number 0)
     set(filled 0)
-    foreach(method ${ODEMARK_METHODS} END)
+    foreach(method ${ODEMARK_STATIC_METHODS} END)
       if(method STREQUAL "END" OR filled EQUAL chunk_size)
         if(filled GREATER 0)
           set(unit ${ODEMARK_GENERATED}/static/${id}_${chunk_number}.cpp)

@@ -25,8 +25,8 @@ function(odemark_headers name)
     set(scope INTERFACE)
   endif()
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${name}/*.hpp)
-  # the command line and the adapters of third-party solvers are no interface
-  list(FILTER headers EXCLUDE REGEX "/(bench/cli|reference/contestants)/")
+  # programs and the adapters of third-party solvers are no interface
+  list(FILTER headers EXCLUDE REGEX "/(bench/cli|bench/step_cost|reference/contestants)/")
   target_sources(odemark_${name} ${scope} FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   set_target_properties(odemark_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
 endfunction()

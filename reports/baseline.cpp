@@ -109,9 +109,8 @@ std::string to_text(const Baseline& baseline) {
   for (const auto& [name, order] : baseline.orders)
     if (std::isfinite(order)) orders.push_back({{"case", name}, {"order", order}});
   for (const auto& [id, run] : baseline.runs) runs.push_back(run_json(id, run));
-  const Json build = {{"compiler", baseline.compiler},
-                      {"flags", baseline.flags},
-                      {"build_type", baseline.build_type}};
+  const Json build = {
+      {"compiler", baseline.compiler}, {"flags", baseline.flags}, {"build_type", baseline.build_type}};
   return fmt::format("{{\n\"schema\":{},\n\"tool\":{},\n\"build\":{},\n\"reason\":{},\n", baseline_schema,
                      line_of(baseline.tool), line_of(build), line_of(baseline.reason)) +
          fmt::format("\"orders\":{},\n\"runs\":{}\n}}\n", lines_of(orders), lines_of(runs));
@@ -137,7 +136,8 @@ Baseline make_baseline(const std::vector<Row>& rows, const RunHeader& header, st
   for (const Row& row : rows) {
     if (row.status == "not_applicable") continue;
     BaselineRun run;
-    run.case_name = case_name(curve_of(row)), run.provider = row.provider, run.status = row.status;
+    run.case_name = case_name(curve_of(row)), run.status = row.status;
+    if (!row.provider.empty()) run.provider = row.provider;
     if (row.errors && std::isfinite(row.errors->scaled)) run.scaled = row.errors->scaled;
     run.evaluations = row.work.evaluations, run.accepted = row.accepted, run.rejected = row.rejected;
     run.drift = row.drift, run.state_hash = row.state_hash;

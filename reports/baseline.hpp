@@ -25,13 +25,12 @@ struct BaselineRun {
   long evaluations = 0, accepted = 0, rejected = 0;
   std::map<std::string, double> drift;  // NaN: was not finite
   std::string state_hash;
-  bool operator==(const BaselineRun&) const = default;
 };
 
 struct Baseline {
   std::string tool, compiler, flags, build_type, reason;
-  std::map<std::string, double> orders;      // case name -> observed order, where it was measurable
-  std::map<std::string, BaselineRun> runs;   // by row id
+  std::map<std::string, double> orders;     // case name -> observed order, where it was measurable
+  std::map<std::string, BaselineRun> runs;  // by row id
 };
 
 /// Cut, of another schema, or no baseline at all: one sentence.
@@ -39,7 +38,8 @@ struct BadBaseline : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Sorted, one case a line, shortest numbers that read back as the same bits: equal baselines are equal bytes.
+/// Sorted, one case a line, shortest numbers that read back as the same bits: equal baselines are equal
+/// bytes.
 std::string to_text(const Baseline& baseline);
 /// Throws BadBaseline.
 Baseline parse_baseline(std::string_view text, std::string_view name = "baseline.json");

@@ -18,8 +18,7 @@ std::string error_text(const BaselineRun& run) {
 
 bool same_bits(const BaselineRun& a, const BaselineRun& b) {
   const auto same = [](const auto& x, const auto& y) {
-    return x.first == y.first &&
-           (x.second == y.second || (std::isnan(x.second) && std::isnan(y.second)));
+    return x.first == y.first && (x.second == y.second || (std::isnan(x.second) && std::isnan(y.second)));
   };
   return a.case_name == b.case_name && a.provider == b.provider && a.status == b.status &&
          a.scaled == b.scaled && a.evaluations == b.evaluations && a.accepted == b.accepted &&
@@ -40,8 +39,13 @@ void add_change(Table& table, const std::string& id, const std::string& what, St
   };
   const auto status_text = [](const BaselineRun& run) { return run.status; };
   const auto evaluations = [](const BaselineRun& run) { return fmt::format("{}", run.evaluations); };
-  table.rows.push_back({{id}, {what, status}, side(before, status_text), side(now, status_text),
-                        side(before, error_text), side(now, error_text), side(before, evaluations),
+  table.rows.push_back({{id},
+                        {what, status},
+                        side(before, status_text),
+                        side(now, status_text),
+                        side(before, error_text),
+                        side(now, error_text),
+                        side(before, evaluations),
                         side(now, evaluations)});
 }
 
@@ -98,7 +102,10 @@ Approval approve(const std::vector<Row>& rows, const RunHeader& header, const st
     } else if (!same_bits(run, found->second)) {
       ++approval.changed;
       const Change change = change_of(run, found->second);
-      add_change(table, id, change == Change::worse ? "worse" : change == Change::better ? "better" : "other",
+      add_change(table, id,
+                 change == Change::worse    ? "worse"
+                 : change == Change::better ? "better"
+                                            : "other",
                  change == Change::worse    ? Status::warn
                  : change == Change::better ? Status::ok
                                             : Status::note,

@@ -42,9 +42,9 @@ struct ObservedOrder {
   OrderVerdict verdict = OrderVerdict::inconclusive;
   std::string reason;  // in words; never empty unless the order holds
   std::optional<double> slope, standard_error, dt_min, dt_max;
-  int points = 0;            // in the window
-  int usable = 0, gaps = 0;  // rungs between floor and largest error; runs that gave no error
-  std::vector<Rung> rungs;   // from the largest dt to the smallest
+  int points = 0;             // in the window
+  int usable = 0, gaps = 0;   // rungs between floor and largest error; runs that gave no error
+  std::vector<Rung> rungs;    // from the largest dt to the smallest
   double log_error_at_1 = 0;  // of the fitted line: ln error = log_error_at_1 + slope ln dt
 };
 

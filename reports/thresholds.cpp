@@ -171,7 +171,7 @@ Rule Reader::rule(const toml::node& node) const {
     else if (key == "stability_verdict")
       rule.stability_verdict = StabilityVerdictDemand{
           line, is_off(value),
-          one_of(value, "stability_verdict", {"limit", "unstable", "unlimited", "blank", "off"})};
+          one_of(value, "stability_verdict", {"limit", "unstable", "unlimited", "off"})};
     else
       unknown(key, "a rule",
               "case, provider, scalar, compensated, skip, reason, until, order, error, drift, status, "
@@ -208,8 +208,7 @@ Defaults Reader::defaults(const toml::node& node) const {
     else if (key == "require_status")
       defaults.require_status = status(value);
     else
-      unknown(key, "[defaults]",
-              "baseline_factor, evaluations_factor, floor, order_slack, require_status");
+      unknown(key, "[defaults]", "baseline_factor, evaluations_factor, floor, order_slack, require_status");
   }
   return defaults;
 }

@@ -25,7 +25,7 @@ struct RunSelector {
 struct OrderDemand {
   int line = 0;
   bool off = false;
-  bool claimed = false;           // at least the claimed order - slack, no upper bound
+  bool claimed = false;  // at least the claimed order - slack, no upper bound
   std::optional<double> min, max;
   bool inconclusive_fails = true;
 };
@@ -77,9 +77,9 @@ struct StabilityVerdictDemand {
 /// One [[rule]]. The last rule that matches a case decides each demand.
 struct Rule {
   int line = 0;
-  std::vector<std::string> cases;   // globs on "problem/method"
-  std::string provider = "odemark"; // glob
-  std::string scalar = "double";    // glob
+  std::vector<std::string> cases;    // globs on "problem/method"
+  std::string provider = "odemark";  // glob
+  std::string scalar = "double";     // glob
   bool compensated = false;
 
   std::optional<bool> skip;

@@ -1,9 +1,10 @@
 // The verdicts that the report prints and the gate acts on: one function decides for both. NaN is never good.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
+
+#include "bench/data/stability.hpp"
 
 namespace odemark {
 
@@ -53,14 +54,15 @@ inline Change judge_time(double now, double before, double now_mad, double befor
 
 enum class StabilityMatch { agrees, differs, nothing_to_compare };
 
-/// A measured stability limit against theory; an absent one is NaN. `verdict` is that of the stability row.
-inline StabilityMatch judge_stability(std::string_view verdict, double measured, double theory,
-                                      double resolution, double relative) {
+/// A measured stability limit against theory, which may differ by a part of it and the resolution.
+inline StabilityMatch judge_stability(const StabilityRow& row, double relative) {
   const auto agree = [](bool yes) { return yes ? StabilityMatch::agrees : StabilityMatch::differs; };
-  if (std::isnan(theory) || verdict == "blank") return StabilityMatch::nothing_to_compare;
-  if (verdict == "unlimited") return agree(std::isinf(theory));
-  if (verdict == "unstable") return agree(theory <= std::max(resolution, 0.0));
-  return agree(std::abs(measured - theory) <= relative * theory + std::max(resolution, 0.0));
+  if (!row.failure.empty()) return StabilityMatch::differs;
+  if (row.theory_verdict.empty() || row.verdict == "blank") return StabilityMatch::nothing_to_compare;
+  if (row.verdict != row.theory_verdict) return StabilityMatch::differs;
+  if (row.verdict != "limit") return StabilityMatch::agrees;
+  if (!row.measured || !row.theory) return StabilityMatch::differs;
+  return agree(std::abs(*row.measured - *row.theory) <= relative * *row.theory + row.resolution);
 }
 
 }  // namespace odemark

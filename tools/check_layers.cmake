@@ -7,7 +7,7 @@ endif()
 # One rule set per folder, the longest matching folder wins. OWN: regexes of what may be included in quotes;
 # SYSTEM: regexes of what may be included in angle brackets beyond the standard library. .cpp files are less strict
 # where CPP_SYSTEM says so: what stays in a .cpp costs nobody else anything.
-set(layers integrators problems reference reference/contestants bench bench/data bench/cli reports)
+set(layers integrators problems reference reference/contestants bench bench/data bench/step_cost bench/cli reports)
 set(standard "^[a-z_]+$")
 
 set(integrators_OWN "^integrators/")
@@ -16,10 +16,7 @@ set(integrators_CPP_SYSTEM "^Eigen/")  # heavy algebra is compiled once
 set(problems_OWN "^problems/")  # mathematics: a problem satisfies the integrators' concepts without naming them
 
 set(reference_OWN "^(reference|problems|integrators)/")
-set(reference_CPP_SYSTEM "^fmt/" "^nlohmann/")
-# numbers of fifty digits take seconds to compile: they stay in the headers named for them and in .cpp files
-set(wide "^boost/multiprecision/")
-list(APPEND reference_CPP_SYSTEM ${wide})
+set(reference_CPP_SYSTEM "^fmt/" "^nlohmann/" "^boost/multiprecision/")
 
 set(reference/contestants_OWN ${reference_OWN})
 set(reference/contestants_SYSTEM
@@ -27,16 +24,23 @@ set(reference/contestants_SYSTEM
 set(reference/contestants_CPP_SYSTEM ${reference/contestants_SYSTEM} "^fmt/")
 
 set(bench_OWN "^(bench|reference|problems|integrators)/")
-set(bench_NEVER "^bench/cli/" "^reference/([a-z_]*wide|contestants/)")
+set(bench_NEVER "^bench/(cli|step_cost)/" "^reference/([a-z_]*wide|contestants/)")
 set(bench_CPP_SYSTEM "^fmt/" "^nlohmann/" "^toml\\+\\+/" "^(sys/[a-z]+|unistd|sched)\\.h$")
 
 set(bench/data_OWN "^bench/data/")  # plain data: all that reports may see of a bench
+
+set(bench/step_cost_OWN ${bench_OWN})
+set(bench/step_cost_SYSTEM "^benchmark/")
+set(bench/step_cost_CPP_SYSTEM ${bench_CPP_SYSTEM})
 
 set(bench/cli_OWN "^(bench|reports|reference|problems|integrators)/")
 set(bench/cli_SYSTEM ".")
 
 set(reports_OWN "^(reports|bench/data)/")
-set(reports_CPP_SYSTEM "^fmt/" "^nlohmann/")
+set(reports_CPP_SYSTEM "^fmt/" "^nlohmann/" "^toml\\+\\+/")
+
+# What takes seconds to compile may enter those headers that are named for it, beside .cpp files.
+set(named_for "wide|^boost/multiprecision/" "json|^nlohmann/" "toml|^toml\\+\\+/")
 
 function(matches text regexes result)
   set(${result} FALSE PARENT_SCOPE)
@@ -62,8 +66,14 @@ foreach(layer ${layers})
     set(system ${standard} ${${layer}_SYSTEM})
     if(file MATCHES "\\.cpp$")
       list(APPEND system ${${layer}_CPP_SYSTEM})
-    elseif(file MATCHES "^reference/[a-z_]*wide[a-z_]*\\.hpp$")
-      list(APPEND system ${wide})
+    else()
+      foreach(pair ${named_for})
+        string(REGEX REPLACE "\\|.*" "" word ${pair})
+        string(REGEX REPLACE "^[a-z]+\\|" "" library ${pair})
+        if(file MATCHES "(/|_)${word}[a-z_]*\\.hpp$" AND library IN_LIST ${layer}_CPP_SYSTEM)
+          list(APPEND system ${library})
+        endif()
+      endforeach()
     endif()
     file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS lines)

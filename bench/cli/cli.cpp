@@ -81,8 +81,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   CLI::App app(
       "Which time integrator, and which dt: error, stability boundaries and cost per step, measured.",
       "odemark");
-  app.set_version_flag("--version",
-                       version_text());
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 ran, 1 a threshold violated, 2 usage, 3 gate incomplete, 4 a case failed where a result "
@@ -125,7 +124,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   report_app.add_option("--title", report.title, "title of the report")->option_text("TEXT");
   add_common(report_app, report);
 
-  CheckOptions check;
+  CheckCommandOptions check;
   auto& check_app = *app.add_subcommand("check", "gate results on thresholds.toml and baseline.json");
   check_app.add_option("-o,--output", check.output, "folder of results.jsonl")->option_text("DIR");
   check_app.add_option("--thresholds", check.thresholds, "written by people")->option_text("FILE");
@@ -138,7 +137,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   check_app.add_flag("--strict", check.strict, "final bits must equal the baseline's");
   add_common(check_app, check);
 
-  ApproveOptions approve;
+  ApproveCommandOptions approve;
   auto& approve_app = *app.add_subcommand("approve", "make these results the baseline");
   approve_app.add_option("-o,--output", approve.output, "folder of results.jsonl")->option_text("DIR");
   approve_app.add_option("--baseline", approve.baseline, "the file to write")->option_text("FILE");
@@ -150,7 +149,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   approve_app.add_flag("--force", approve.force, "even where CI is set");
   add_common(approve_app, approve);
 
-  CompareOptions compare;
+  CompareCommandOptions compare;
   auto& compare_app = *app.add_subcommand("compare", "before and after: errors, orders, work, times");
   compare_app.add_option("files", compare.files, "results.jsonl files, the first is before")
       ->required()
@@ -168,7 +167,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   list_app.add_flag("--suites", list.suites, "suites only");
   add_format(list_app, list.format, {"table", "json", "names"});
 
-  StabilityOptions stability;
+  StabilityCommandOptions stability;
   std::string stability_dt;
   auto& stability_app =
       *app.add_subcommand("stability", "largest stable dt: measured, in theory, and what a dt of yours does");
@@ -186,8 +185,8 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   add_format(stability_app, stability.format, {"table", "json", "markdown", "csv"});
   add_common(stability_app, stability);
 
-  TruthOptions truth;
-  std::string truth_t;
+  TruthRequest truth;
+  std::string truth_t, truth_format = "text";
   auto& truth_app =
       *app.add_subcommand("truth", "the solution to many digits, by two independent computations");
   truth_app.add_option("problem", truth.problem, "preset or family")->required()->option_text("PROBLEM");
@@ -196,10 +195,10 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   truth_app.add_option("--digits", truth.digits, "digits asked for")->option_text("N");
   truth_app.add_flag("--exact-inputs", truth.exact_inputs,
                      "decimals at full value instead of rounded to double");
-  truth_app.add_option("--time-limit", truth.time_limit, "seconds")
+  truth_app.add_option("--time-limit", truth.time_limit_seconds, "seconds")
       ->check(CLI::PositiveNumber)
       ->option_text("S");
-  add_format(truth_app, truth.format, {"text", "json"});
+  add_format(truth_app, truth_format, {"text", "json"});
 
   app.add_subcommand("bench", "cost per step by Google Benchmark; every --benchmark_* flag works");
   DoctorOptions doctor;
@@ -215,11 +214,8 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       if (!(stability.dt > 0))
         throw BadInput(fmt::format("--dt {} is no step: it must be above 0", stability_dt));
     }
-    if (!truth_t.empty()) {
-      truth.t = parse_number("--t", truth_t);
-      if (!(truth.t > 0))
-        throw BadInput(fmt::format("--t {} is no time to ask for: it must be above 0", truth_t));
-    }
+    if (!truth_t.empty()) truth.t = truth_t;
+    truth.json = truth_format == "json";
     signal(SIGINT, on_interrupt);
     signal(SIGTERM, on_interrupt);
     if (app.got_subcommand("run")) return run_command(registry, run, interrupted);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/plan.hpp"
+#include "reference/truth_report.hpp"
 
 namespace odemark {
 
@@ -38,18 +39,18 @@ struct ReportOptions : CommonOptions {
   std::string output = "out", title;
 };
 
-struct CheckOptions : CommonOptions {
+struct CheckCommandOptions : CommonOptions {
   std::string output = "out", thresholds = "thresholds.toml", baseline = "baseline.json";
   std::string junit, markdown, json;
   bool github = false, strict = false;
 };
 
-struct ApproveOptions : CommonOptions {
+struct ApproveCommandOptions : CommonOptions {
   std::string output = "out", baseline = "baseline.json", only, reason;
   bool dry_run = false, force = false;
 };
 
-struct CompareOptions : CommonOptions {
+struct CompareCommandOptions : CommonOptions {
   std::vector<std::string> files;
   std::string only = "changed", format = "table";
 };
@@ -59,18 +60,10 @@ struct ListOptions {
   std::string format = "table";
 };
 
-struct StabilityOptions : CommonOptions {
+struct StabilityCommandOptions : CommonOptions {
   std::string methods, problem, settings, format = "table";
   double dt = 0;  // 0: limits; else a verdict on this dt
   int jobs = 1;
-};
-
-struct TruthOptions {
-  std::string problem, settings, format = "text";
-  double t = 0;  // 0: t_end
-  int digits = 30;
-  bool exact_inputs = false;
-  double time_limit = 120;
 };
 
 struct DoctorOptions {
@@ -79,12 +72,12 @@ struct DoctorOptions {
 
 int run_command(const Registry&, const RunOptions&, const std::atomic<bool>& stop);
 int report_command(const Registry&, const ReportOptions&);
-int check_command(const CheckOptions&);
-int approve_command(const ApproveOptions&);
-int compare_command(const CompareOptions&);
+int check_command(const CheckCommandOptions&);
+int approve_command(const ApproveCommandOptions&);
+int compare_command(const CompareCommandOptions&);
 int list_command(const Registry&, const ListOptions&);
-int stability_command(const Registry&, const StabilityOptions&);
-int truth_command(const Registry&, const TruthOptions&);
+int stability_command(const Registry&, const StabilityCommandOptions&);
+int truth_command(const Registry&, const TruthRequest&);
 int bench_command(const std::vector<std::string>& arguments);
 int doctor_command(const DoctorOptions&);
 

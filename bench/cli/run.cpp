@@ -11,6 +11,7 @@
 #include "bench/cli/files.hpp"
 #include "bench/cli/progress.hpp"
 #include "bench/cli/summary.hpp"
+#include "bench/doctor.hpp"
 #include "bench/execute.hpp"
 #include "bench/json_line.hpp"
 #include "bench/machine.hpp"
@@ -66,6 +67,7 @@ int run_command(const Registry& registry, const RunOptions& options, const std::
   const bool resume = options.resume && std::filesystem::exists(path);
   RunHeader header = describe_machine();
   header.suite = suite_text(options.plan);
+  header.footnotes = footnotes();
   Results results;
   if (resume) results = open_previous(path, header.suite);
   // an earlier file stays readable until the new one has been begun
@@ -99,12 +101,13 @@ int run_command(const Registry& registry, const RunOptions& options, const std::
   }
   if (complete && options.stability && results.stability.empty()) {
     Progress progress("stability limits", options);
-    StabilityMeasureOptions measure;
-    measure.jobs = options.jobs;
-    measure.progress = [&](std::size_t done, std::size_t total, const std::string& what) {
-      progress.update(done, total, what);
+    StabilityOptions measure;
+    measure.jobs = static_cast<unsigned>(options.jobs);
+    measure.progress = [&](std::size_t done, std::size_t total, const StabilityRow& row) {
+      progress.update(done, total, row.problem + "/" + row.method);
     };
-    std::vector<const AnyMethod*> methods = select_methods(registry, options.plan.methods);
+    std::vector<AnyMethod> methods;
+    for (const auto* method : select_methods(registry, options.plan.methods)) methods.push_back(*method);
     for (const auto& row : measure_stability(methods, default_stability_problems(), measure)) {
       if (stop.load()) {
         complete = false;

@@ -57,8 +57,15 @@ int newton_weights(N_Vector y, N_Vector weights, void*) {
   }
   return 0;
 }
-int unit_weights(N_Vector, N_Vector weights, void*) {
-  N_VConst(1, weights);
+/// At most 1, so that nothing small vanishes and nothing large counts as out of reach.
+int plain_weights(N_Vector y, N_Vector weights, void*) {
+  const sunindextype n = N_VGetLength(y);
+  const double* values = N_VGetArrayPointer(y);
+  double* out = N_VGetArrayPointer(weights);
+  for (sunindextype i = 0; i < n; ++i) {
+    const double size = std::abs(values[i]);
+    out[i] = size > 1 && std::isfinite(size) ? 1 / size : 1;
+  }
   return 0;
 }
 
@@ -130,7 +137,7 @@ class Arkode {
       set(module_.set_stop_time(memory_, job.t1));
       if (control->first_step > 0) set(module_.set_first_step(memory_, control->first_step));
     } else {
-      set(module_.set_weights(memory_, implicit_ ? newton_weights : unit_weights));
+      set(module_.set_weights(memory_, implicit_ ? newton_weights : plain_weights));
       set(module_.set_fixed_step(memory_, job.step_size()));
     }
   }
@@ -175,13 +182,13 @@ RunReport run_arkode(const ArkodeRow& row, const Job& job) {
   while (fixed ? report.accepted < fixed->count : t < job.t1) {
     if (!fixed && report.accepted + report.rejected >= job.adaptive()->step_limit)
       return finish(RunStatus::step_limit, t);
-    const double t_before = t;
+    const double t_before = fixed ? job.time_of(report.accepted) : t;
     const int flag = arkode.step(job.t1, t);
     arkode.rethrow();
     if (!fixed) report.rejected = arkode.attempts() - report.accepted - (flag >= 0);
     if (flag < 0) {
-      const auto failure = gave_up(report, flag, job.y, t);
-      return finish(failure.status, t, failure.reason);
+      const auto failure = gave_up(report, flag, job.y, t_before);
+      return finish(failure.status, t_before, failure.reason);
     }
     ++report.accepted;
     if (fixed) {

@@ -101,8 +101,8 @@ RunReport run(const Job& job) {
     report.rejected = error_failures + solve_failures;
     problem.callee.rethrow();
     if (flag < 0) {
-      const auto failure = gave_up(report, flag, job.y, t);
-      return finish(failure.status, t, failure.reason);
+      const auto failure = gave_up(report, flag, job.y, t_before);
+      return finish(failure.status, t_before, failure.reason);
     }
     if (!all_finite(job.y)) return finish(RunStatus::not_finite, t);
     ++report.accepted;

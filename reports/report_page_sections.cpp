@@ -1,0 +1,197 @@
+// The sections of the report that answer: what to take, what each problem shows, what failed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "reports/cheapest.hpp"
+#include "reports/conservation.hpp"
+#include "reports/failures.hpp"
+#include "reports/format.hpp"
+#include "reports/precision.hpp"
+#include "reports/report_page.hpp"
+#include "reports/trajectory_page.hpp"
+#include "reports/work_precision.hpp"
+
+namespace odemark {
+namespace {
+
+double dt_of_interest(const ReportData& data, const std::string& problem) {
+  if (const ProblemCard* card = find_card(data.input.pictures, problem)) return card->suggested_dt;
+  std::vector<double> dts;
+  for (const Row& row : data.rows)
+    if (row.problem == problem && row.dt) dts.push_back(*row.dt);
+  if (dts.empty()) return 1;
+  std::nth_element(dts.begin(), dts.begin() + static_cast<std::ptrdiff_t>(dts.size() / 2), dts.end());
+  return dts[dts.size() / 2];
+}
+
+std::vector<std::pair<std::string, int>> winners(const ReportData& data, double error, Cost cost) {
+  std::map<std::string, int> wins;
+  for (const ProblemCurves& problem : data.problems)
+    if (const auto offers = cheapest(problem, error, cost); !offers.empty()) ++wins[offers[0].method];
+  std::vector<std::pair<std::string, int>> sorted(wins.begin(), wins.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return sorted;
+}
+
+std::string winners_sentence(const ReportData& data, double error, Cost cost, const char* what) {
+  const auto sorted = winners(data, error, cost);
+  if (sorted.empty()) return "";
+  std::string text = fmt::format("{} to {}: ", what, scientific(error, 1));
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    text += fmt::format("{}{} on {}", i == 0 ? "" : ", ", sorted[i].first, sorted[i].second);
+  return text + (sorted.size() == 1 && sorted[0].second == 1 ? " problem." : " problems.");
+}
+
+void add_answer(Section& section, const std::string& text) {
+  if (!text.empty()) section.blocks.push_back(Paragraph{text});
+}
+
+Table problem_facts(const ProblemCard& card) {
+  Table table{card.id + "-facts", "", "", {{"what"}, {"value"}}, {}};
+  const auto add = [&](const char* what, const std::string& value) {
+    if (!value.empty()) table.rows.push_back({{what}, {value}});
+  };
+  add("equations", card.equations);
+  std::string parameters;
+  for (const auto& p : card.parameters) parameters += (parameters.empty() ? "" : ",  ") + p;
+  add("parameters", parameters);
+  add("suggested dt", compact(card.suggested_dt, 3) + " s");
+  add("truth", card.truth);
+  add("source", card.source);
+  return table;
+}
+
+std::string tier_note(const ProblemCurves& problem) {
+  bool inlined = false, called = false;
+  for (const WorkCurve& curve : problem.curves)
+    for (const CurvePoint& p : curve.points) inlined |= p.tier == "static", called |= p.tier == "erased";
+  if (inlined && called)
+    return "Times of our own methods are with the right-hand side inlined into the step where that tier was "
+           "compiled, the others call it through a pointer: see how it was measured.";
+  return "";
+}
+
+}  // namespace
+
+Section overview_section(const ReportData& data) {
+  Section section{"overview", "Overview", {}};
+  if (data.problems.empty()) return section;
+  add_answer(section, winners_sentence(data, 1e-6, Cost::evaluations, "Fewest evaluations"));
+  add_answer(section, winners_sentence(data, 1e-6, Cost::time, "Least time"));
+  for (const auto& footnote : data.input.header.footnotes)
+    section.blocks.push_back(Paragraph{footnote, Status::warn});
+  section.blocks.push_back(overview(data.problems));
+  return section;
+}
+
+Section cheapest_section(const ReportData& data) {
+  Section section{"cheapest", "Cheapest", {}};
+  const auto rough = winners(data, 1e-2, Cost::evaluations), fine = winners(data, 1e-9, Cost::evaluations);
+  if (!rough.empty() && !fine.empty())
+    add_answer(
+        section,
+        fmt::format("For an error of 1e-2 {} needs the fewest evaluations most often ({} of {} problems), "
+                    "for 1e-9 it is {} ({}).",
+                    rough[0].first, rough[0].second, data.problems.size(), fine[0].first, fine[0].second));
+  section.blocks.push_back(cheapest_table(data.problems));
+  return section;
+}
+
+Section problem_section(const ReportData& data, const ProblemCurves& problem) {
+  const ProblemCard* card = find_card(data.input.pictures, problem.problem);
+  Section section{"problem-" + problem.problem, problem.problem, {}};
+  add_answer(section, answer(problem));
+  if (card) {
+    add_answer(section, fmt::format("{}{}{}. {} s.", card->title, card->about.empty() ? "" : ": ",
+                                    card->about, compact(card->t_end, 4)));
+    section.blocks.push_back(problem_facts(*card));
+  }
+  const auto add_chart = [&](Chart chart) {
+    if (!chart.series.empty()) section.blocks.push_back(std::move(chart));
+  };
+  if (const Scene* scene = find_scene(data.input.pictures, problem.problem))
+    add_chart(trajectory_chart(*scene, data.palette));
+  add_chart(error_by_dt(problem, data.palette, Shown::best_of_family, data.orders, card));
+  add_chart(error_by_cost(problem, data.palette, Cost::evaluations));
+  if (problem.timed) {
+    add_chart(error_by_cost(problem, data.palette, Cost::time));
+    add_answer(section, tier_note(problem));
+  }
+  return section;
+}
+
+Section orders_section(const ReportData& data) {
+  Section section{"orders", "Orders", {}};
+  const OrderCounts c = count_orders(data.orders);
+  add_answer(section,
+             fmt::format("Of {} order claims {} hold, {} fail, {} exceed, and {} could not be judged.",
+                         c.total(), c.holds, c.fails, c.exceeds, c.inconclusive));
+  if (c.fails) section.blocks.push_back(failed_orders(data.orders, data.input.pictures.methods));
+  section.blocks.push_back(order_matrix(data.orders));
+  return section;
+}
+
+Section precision_section(const ReportData& data) {
+  Section section{"precision", "Precision", {}};
+  for (const auto& problem : precision_problems(data.precision))
+    add_answer(section, precision_answer(data.precision, problem));
+  for (const auto& problem : precision_problems(data.precision)) {
+    if (Chart chart = precision_chart(data.precision, problem); !chart.series.empty())
+      section.blocks.push_back(std::move(chart));
+    section.blocks.push_back(roundoff_table(data.precision, problem));
+  }
+  return section;
+}
+
+Section conservation_section(const ReportData& data) {
+  Section section{"conservation", "Conservation", {}};
+  const auto problems = conserving_problems(data.rows);
+  for (const auto& problem : problems)
+    add_answer(section, drift_answer(data.rows, problem, dt_of_interest(data, problem)));
+  for (const auto& problem : problems) {
+    const double dt = dt_of_interest(data, problem);
+    if (Table table = drift_table(data.rows, problem, dt); !table.rows.empty())
+      section.blocks.push_back(std::move(table));
+  }
+  for (const ProblemCurves& problem : data.problems)
+    if (Table table = oscillation_table(data.rows, problem.problem, dt_of_interest(data, problem.problem));
+        !table.rows.empty())
+      section.blocks.push_back(std::move(table));
+  return section;
+}
+
+Section failures_section(const ReportData& data) {
+  Section section{"failures-section", "Failures", {}};
+  const auto counts = failures_by_status(data.input.rows);
+  int total = 0;
+  std::string text;
+  for (const auto& [status, count] : counts) {
+    total += count;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
+  }
+  add_answer(section, total ? fmt::format("{} runs did not reach the end: {}.", total, text)
+                            : std::string("Every run reached its end."));
+  for (Table table : {failure_table(data.input.rows), without_truth_table(data.input.rows),
+                      not_applicable_table(data.input.rows)})
+    if (!table.rows.empty()) section.blocks.push_back(std::move(table));
+  return section;
+}
+
+Section every_method_section(const ReportData& data) {
+  Section section{"every-method", "Every method", {}};
+  add_answer(section, "The charts above show the best of each family. Here is everything that was run.");
+  for (const ProblemCurves& problem : data.problems) {
+    Chart chart = error_by_dt(problem, data.palette, Shown::all, data.orders,
+                              find_card(data.input.pictures, problem.problem));
+    if (!chart.series.empty()) section.blocks.push_back(std::move(chart));
+    section.blocks.push_back(method_table(problem, data.orders));
+  }
+  return section;
+}
+
+}  // namespace odemark

@@ -1,0 +1,72 @@
+// The Jacobian a family has written is the one that dual numbers and differences give.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/probe_families.hpp"
+#include "tests/support/wide_views.hpp"
+
+namespace odemark {
+namespace {
+
+TEST(Jacobian, WrittenEqualsDualNumbersEqualsDifferences) {
+  for (const auto& problem : every_preset()) {
+    SCOPED_TRACE(problem.id);
+    const WideProblem wide = widened(problem, false);
+    const std::size_t n = problem.size();
+    for (const auto& place : places_of(problem, 8)) {
+      const Wide t(place.t);
+      const void* phase = phase_at(wide, t).value.get();
+      const auto y = converted<Wide>(place.y);
+      std::vector<Wide> dual(n * n), above(n), below(n);
+      wide.jacobian(phase, t, y.data(), dual.data());
+      std::vector<double> written(n * n);
+      problem.system<double>().jacobian(place.t, place.y, MatrixView<double>{written.data(), n});
+      for (std::size_t column = 0; column < n; ++column) {
+        auto moved = y;
+        const Wide step = Wide(problem.scale[column]) * Wide("1e-15");
+        moved[column] = y[column] + step;
+        wide.rhs(phase, t, moved.data(), above.data());
+        moved[column] = y[column] - step;
+        wide.rhs(phase, t, moved.data(), below.data());
+        for (std::size_t row = 0; row < n; ++row) {
+          const std::size_t at = column * n + row;
+          const Wide difference = (above[row] - below[row]) / (2 * step);
+          // in units of slope over state, so that a term lost beside a huge one is still missed
+          const double size = std::max(std::abs(to_double(dual[at])), 1e-6 * problem.scale[row] / problem.scale[column]);
+          EXPECT_NEAR(to_double(dual[at] - difference) / size, 0, 1e-12) << "row " << row << ", column " << column;
+          EXPECT_NEAR((written[at] - to_double(dual[at])) / size, 0, 1e-13) << "row " << row << ", column " << column;
+        }
+      }
+    }
+  }
+}
+
+TEST(Jacobian, DualNumbersStandInWhereNoneIsWritten) {
+  const auto problem = probe::problem<probe::DrivenDamped>();
+  EXPECT_FALSE(problem.has_written_jacobian);
+  std::vector<double> j(4);
+  problem.system<double>().jacobian(0.5, {0.25, 2}, MatrixView<double>{j.data(), 2});
+  EXPECT_EQ(j, (std::vector<double>{0, -1, 1, -12}));
+}
+
+TEST(Jacobian, TheSameInEveryNumberType) {
+  for (const auto& problem : every_preset()) {
+    const std::size_t n = problem.size();
+    std::vector<float> narrow(n * n);
+    std::vector<double> j(n * n);
+    std::vector<long double> wider(n * n);
+    const auto place = places_of(problem, 2).back();
+    problem.system<float>().jacobian(float(place.t), converted<float>(place.y), {narrow.data(), n});
+    problem.system<double>().jacobian(place.t, place.y, {j.data(), n});
+    problem.system<long double>().jacobian(static_cast<long double>(place.t), converted<long double>(place.y),
+                                           {wider.data(), n});
+    for (std::size_t i = 0; i < n * n; ++i) {
+      EXPECT_NEAR(double(narrow[i]), j[i], 2e-3 * (1e-3 + std::abs(j[i]))) << problem.id;
+      EXPECT_NEAR(double(wider[i]), j[i], 1e-12 * (1e-3 + std::abs(j[i]))) << problem.id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace odemark
