@@ -36,8 +36,9 @@ ensure_packages run "$install"
 build_preset release --target odemark
 odemark=$root/build/release/odemark
 
-say "odemark run ${suite[*]} ${arguments[*]}"
-"$odemark" run "${suite[@]}" "${arguments[@]}" || fail $? "odemark run ended with exit code $?; no report was written"
+arguments=("${suite[@]}" "${arguments[@]}")
+say "odemark run ${arguments[*]}"
+"$odemark" run "${arguments[@]}" || fail $? "odemark run ended with exit code $?; no report was written"
 say "odemark report -o $out"
 "$odemark" report -o "$out" || fail $? "odemark report ended with exit code $?; the results are in $out"
 say "the report: $out/report.html"

@@ -21,12 +21,14 @@ ChapterData chapter_data() {
   data.limits = limits();
   data.doublings = doublings();
   data.equal_cost = equal_cost();
+  data.listing_on_spring = listing_on_spring();
   data.memory = memory();
   data.same_step = same_step(data.errors);
   data.crossovers = crossovers(data.errors);
   data.costs = costs(data.errors);
   data.adaptive = adaptive_runs();
   data.zero_estimate = zero_estimate();
+  for (int claim = 1; claim <= 7; ++claim) data.answers.at(std::size_t(claim - 1)) = answer(claim, data);
   return data;
 }
 

@@ -18,7 +18,19 @@ struct Scene {
   std::size_t first;  // components from here on are compared
   double size;        // of one component, in its unit
 };
-constexpr std::array scenes{Scene{"drag_ship", 8, 2, 1, 20}, Scene{"oscillator", 10, 8, 0, 1}};
+constexpr std::array scenes{Scene{"drag_ship", 64, 4, 1, 20}, Scene{"oscillator", 10, 8, 0, 1}};
+
+/// Numbers of steps: octaves, in double precision with quarters between them where steps are few.
+std::vector<long> step_counts(long coarsest, long finest, bool quarters) {
+  std::vector<long> counts;
+  if (quarters) counts.push_back(3 * coarsest / 4);
+  for (long n = coarsest; n <= finest; n *= 2) {
+    counts.push_back(n);
+    if (quarters && n < 128)
+      for (const long quarter : {5 * n / 4, 6 * n / 4, 7 * n / 4}) counts.push_back(quarter);
+  }
+  return counts;
+}
 
 /// The largest error at up to 64 evenly spaced times: one time alone can be right by accident.
 template <class T>
@@ -46,7 +58,7 @@ ErrorCurve curve(const char* method_id, const Scene& scene, const char* scalar, 
   const AnyMethod& method = method_called(method_id);
   const AnyProblem problem = problem_called(scene.problem);
   ErrorCurve curve{problem.id, method_id, scalar, {}, {}, false};
-  for (long steps = scene.coarsest; steps <= finest; steps *= 2)
+  for (const long steps : step_counts(scene.coarsest, finest, std::is_same_v<T, double>))
     curve.points.push_back(error_at<T>(method, problem, scene, steps));
   const auto best = std::min_element(curve.points.begin(), curve.points.end(),
                                      [](const auto& a, const auto& b) { return a.error < b.error; });
@@ -66,6 +78,11 @@ std::optional<double> cost_of(const ErrorCurve& curve, double error) {
     return double(coarse.evaluations) * std::pow(double(fine.evaluations) / double(coarse.evaluations), part);
   }
   return std::nullopt;
+}
+
+bool has(const std::vector<ErrorCurve>& curves, std::string_view problem, std::string_view method) {
+  return std::any_of(curves.begin(), curves.end(),
+                     [&](const ErrorCurve& c) { return c.problem == problem && c.method == method; });
 }
 
 const ErrorCurve& find(const std::vector<ErrorCurve>& curves, std::string_view problem,
@@ -100,11 +117,12 @@ std::vector<ErrorCurve> error_curves() {
   constexpr long k = 1024;
   std::vector<ErrorCurve> curves;
   for (const Scene& scene : scenes)
-    for (const Reach& reach : {Reach{"explicit_euler", 2048 * k, 2048 * k}, Reach{"heun", 2048 * k, 8192 * k},
+    for (const Reach& reach : {Reach{"explicit_euler", 4096 * k, 2048 * k}, Reach{"heun", 2048 * k, 8192 * k},
                                Reach{"rk4", 256 * k, 512 * k}}) {
       curves.push_back(curve<float>(reach.method, scene, "float", reach.in_float));
       curves.push_back(curve<double>(reach.method, scene, "double", reach.in_double));
     }
+  curves.push_back(curve<double>("chapter_euler", scenes[1], "double", 2048 * k));
   return curves;
 }
 
@@ -116,7 +134,7 @@ std::vector<ClockLine> clocks() {
 
 std::vector<SameStep> same_step(const std::vector<ErrorCurve>& curves) {
   std::vector<SameStep> lines;
-  for (const auto& [problem, dt] : {std::pair{"drag_ship", 0.5}, std::pair{"drag_ship", 4.0},
+  for (const auto& [problem, dt] : {std::pair{"drag_ship", 0.5}, std::pair{"drag_ship", 8.0},
                                     std::pair{"oscillator", 0.3125}, std::pair{"oscillator", 1.25}}) {
     SameStep line{problem, dt, {}};
     for (const char* method : {"explicit_euler", "heun", "rk4"})
@@ -131,7 +149,8 @@ std::vector<Crossover> crossovers(const std::vector<ErrorCurve>& curves) {
   std::vector<Crossover> found;
   for (const Scene& scene : scenes)
     for (const auto& [cheap, dear] : {std::pair{"explicit_euler", "heun"}, std::pair{"explicit_euler", "rk4"},
-                                      std::pair{"heun", "rk4"}}) {
+                                      std::pair{"heun", "rk4"}, std::pair{"chapter_euler", "rk4"}}) {
+      if (!has(curves, scene.problem, cheap)) continue;
       const ErrorCurve &a = find(curves, scene.problem, cheap), &b = find(curves, scene.problem, dear);
       Crossover line{scene.problem, cheap, dear, {}, {}, ""};
       std::optional<double> last;  // ln of the costs' ratio at the next larger error
@@ -152,10 +171,11 @@ std::vector<Crossover> crossovers(const std::vector<ErrorCurve>& curves) {
 std::vector<CostLine> costs(const std::vector<ErrorCurve>& curves) {
   std::vector<CostLine> lines;
   for (const Scene& scene : scenes)
-    for (const double error : {3e-2, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}) {
+    for (const double error : {1e-1, 3e-2, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8}) {
       CostLine line{scene.problem, error, {}};
-      for (const char* method : {"explicit_euler", "heun", "rk4"})
-        line.evaluations.emplace_back(method, cost_of(find(curves, scene.problem, method), error));
+      for (const char* method : {"explicit_euler", "heun", "rk4", "chapter_euler"})
+        if (has(curves, scene.problem, method))
+          line.evaluations.emplace_back(method, cost_of(find(curves, scene.problem, method), error));
       lines.push_back(std::move(line));
     }
   return lines;

@@ -28,14 +28,27 @@ std::vector<T> initial_state(const AnyProblem& problem) {
   return y;
 }
 
+namespace {
+
+/// The same ship with its clock set to 0 at the time `from`, in wide arithmetic.
 template <class T>
-std::vector<T> exact_flow(const AnyProblem& problem, T t, const std::vector<T>& y0) {
+DragShipQuadratic<long double> begun_at(const DragShipQuadratic<>& ship, T from) {
+  DragShipQuadratic<long double> wide;
+  wide.thrust = ship.thrust, wide.c = ship.c, wide.m = ship.m;
+  wide.t_reverse = static_cast<long double>(ship.t_reverse) - static_cast<long double>(from);
+  return wide;
+}
+
+}  // namespace
+
+template <class T>
+std::vector<T> exact_flow(const AnyProblem& problem, T h, const std::vector<T>& y0, T from) {
   std::vector<T> y(y0.size());
-  const auto flow = [&](const auto& family) { family.exact(t, y0.data(), y.data()); };
+  const auto flow = [&](const auto& family) { family.exact(h, y0.data(), y.data()); };
   if (problem.family == DragShip<>::id)
     flow(*static_cast<const DragShip<>*>(problem.value.get()));
   else if (problem.family == DragShipQuadratic<>::id)
-    flow(*static_cast<const DragShipQuadratic<>*>(problem.value.get()));
+    flow(begun_at(*static_cast<const DragShipQuadratic<>*>(problem.value.get()), from));
   else if (problem.family == Oscillator<>::id)
     flow(*static_cast<const Oscillator<>*>(problem.value.get()));
   else
@@ -102,11 +115,11 @@ Trajectory exact_curve(const AnyProblem& problem, std::size_t i, double from, do
   return curve;
 }
 
-std::complex<double> stability_function(const AnyMethod& method, std::complex<double> z) {
+std::complex<long double> stability_function(const AnyMethod& method, std::complex<long double> z) {
   const Theory theory = method.theory();
   const auto at = [&](const std::vector<Coefficient>& p) {
-    std::complex<double> sum = 0;
-    for (std::size_t i = p.size(); i-- > 0;) sum = sum * z + double(p[i]);
+    std::complex<long double> sum = 0;
+    for (std::size_t i = p.size(); i-- > 0;) sum = sum * z + p[i];
     return sum;
   };
   if (theory.numerator.empty())
@@ -115,6 +128,7 @@ std::complex<double> stability_function(const AnyMethod& method, std::complex<do
 }
 
 long double spectral_radius(long double a, long double b, long double c, long double d) {
+  if (b == 0 || c == 0) return std::max(std::abs(a), std::abs(d));  // no cancellation where both are near 1
   const long double half = (a + d) / 2, determinant = a * d - b * c, beyond = half * half - determinant;
   if (beyond < 0) return std::sqrt(determinant);  // a complex pair
   return std::abs(half) + std::sqrt(beyond);
@@ -123,10 +137,11 @@ long double spectral_radius(long double a, long double b, long double c, long do
 template std::vector<float> initial_state<float>(const AnyProblem&);
 template std::vector<double> initial_state<double>(const AnyProblem&);
 template std::vector<long double> initial_state<long double>(const AnyProblem&);
-template std::vector<float> exact_flow<float>(const AnyProblem&, float, const std::vector<float>&);
-template std::vector<double> exact_flow<double>(const AnyProblem&, double, const std::vector<double>&);
+template std::vector<float> exact_flow<float>(const AnyProblem&, float, const std::vector<float>&, float);
+template std::vector<double> exact_flow<double>(const AnyProblem&, double, const std::vector<double>&,
+                                                double);
 template std::vector<long double> exact_flow<long double>(const AnyProblem&, long double,
-                                                          const std::vector<long double>&);
+                                                          const std::vector<long double>&, long double);
 template Stepped<float> step<float>(const AnyMethod&, const AnyProblem&, double, long, OnStep<float>);
 template Stepped<double> step<double>(const AnyMethod&, const AnyProblem&, double, long, OnStep<double>);
 template Stepped<double> adapt<double>(const AnyMethod&, const AnyProblem&, const ErrorControl&, double,

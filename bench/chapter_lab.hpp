@@ -19,9 +19,10 @@ namespace odemark::chapter {
 const AnyMethod& method_called(std::string_view id);
 AnyProblem problem_called(std::string_view id, std::string_view settings = "");
 
-/// The closed form at `t`, from the state y0 at t = 0, of a drag_ship, drag_ship_quadratic or oscillator.
+/// The closed form a time `h` after the state y0 at `from`, of a drag_ship, drag_ship_quadratic or
+/// oscillator.
 template <class T>
-std::vector<T> exact_flow(const AnyProblem& problem, T t, const std::vector<T>& y0);
+std::vector<T> exact_flow(const AnyProblem& problem, T h, const std::vector<T>& y0, T from = 0);
 template <class T>
 std::vector<T> initial_state(const AnyProblem& problem);
 
@@ -53,9 +54,9 @@ Trajectory stepped_curve(std::string_view method, const AnyProblem& problem, std
 Trajectory exact_curve(const AnyProblem& problem, std::size_t i, double from, double to, int points);
 
 /// R(z) of a Runge-Kutta method from its own coefficients.
-std::complex<double> stability_function(const AnyMethod& method, std::complex<double> z);
+std::complex<long double> stability_function(const AnyMethod& method, std::complex<long double> z);
 
-/// The spectral radius of a 2x2 matrix given by columns.
+/// The spectral radius of the matrix (a b; c d).
 long double spectral_radius(long double a, long double b, long double c, long double d);
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -76,8 +77,10 @@ std::vector<Crossover> crossovers(const std::vector<ErrorCurve>& curves);
 std::vector<CostLine> costs(const std::vector<ErrorCurve>& curves);
 std::vector<DoublingLine> doublings();
 std::vector<EqualCostLine> equal_cost();
+ListingOnSpring listing_on_spring();
 std::vector<MemoryLine> memory();
 std::vector<AdaptiveRun> adaptive_runs();
 ZeroEstimate zero_estimate();
+Answer answer(int claim, const ChapterData& data);
 
 }  // namespace odemark::chapter

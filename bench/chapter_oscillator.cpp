@@ -30,7 +30,9 @@ Halving halving(const AnyMethod& method, const AnyProblem& spring, double z, dou
   out.extrapolated = !reached;
   out.periods = reached ? (double(n - 1) + std::log(factor / before) / std::log(last / before)) * per_period
                         : std::log(factor) / std::log(last) * out.watched;
-  out.theory = std::log(factor) / std::log(std::abs(stability_function(method, {0, z}))) * per_period;
+  const double per_step =
+      double(std::log(std::norm(stability_function(method, {0, static_cast<long double>(z)})))) / 2;
+  out.theory = std::log(factor) / per_step * per_period;
   return out;
 }
 
@@ -53,8 +55,9 @@ PerPeriod measured_per_period(const AnyMethod& method, const AnyProblem& spring,
 }
 
 PerPeriod theory_per_period(const AnyMethod& method, double z) {
-  const std::complex<double> r = stability_function(method, {0, z});
-  return {std::pow(std::abs(r), 2 * pi / z), 2 * pi / z * (std::arg(r) - z)};
+  const auto r = stability_function(method, {0, static_cast<long double>(z)});
+  return {std::pow(double(std::abs(r)), 2 * pi / z),
+          2 * pi / z * double(std::arg(r) - static_cast<long double>(z))};
 }
 
 /// Periods until the displacements of two methods are `apart`, as a part of the starting amplitude.
@@ -87,6 +90,7 @@ std::vector<DoublingLine> doublings() {
     DoublingLine line;
     line.z = z, line.steps_per_period = 2 * pi / z;
     line.heun_doubles = halving(heun, spring, z, 2);
+    line.heun_seconds_at_60 = line.heun_doubles.periods * line.steps_per_period / 60;
     line.rk4_halves = halving(rk4, spring, z, 0.5);
     const PerPeriod h = measured_per_period(heun, spring, z), h0 = theory_per_period(heun, z);
     const PerPeriod r = measured_per_period(rk4, spring, z), r0 = theory_per_period(rk4, z);
@@ -122,6 +126,22 @@ std::vector<EqualCostLine> equal_cost() {
     lines.push_back(line);
   }
   return lines;
+}
+
+ListingOnSpring listing_on_spring() {
+  const AnyProblem spring = unit_spring();
+  ListingOnSpring out{0.1, 100};
+  const auto largest = [&](const char* method) {
+    double size = 1;
+    step<double>(method_called(method), spring, out.dt, std::lround(2 * pi * out.periods / out.dt),
+                 [&](double, const double* y) {
+                   size = std::max(size, size_of(y));
+                   return true;
+                 });
+    return size;
+  };
+  out.listing_amplitude = largest("chapter_euler"), out.euler_amplitude = largest("explicit_euler");
+  return out;
 }
 
 std::vector<MemoryLine> memory() {

@@ -70,16 +70,19 @@ struct LinearForce {
     homogeneous.system<double>().linear_part_call(homogeneous.value.get(), l);
     p = l[1], q = l[3];
   }
-  std::complex<double> rate(int sign) const {
-    return (q + double(sign) * std::sqrt(std::complex<double>(q * q + 4 * p))) / 2.0;
+  std::complex<long double> rate(int sign) const {
+    const long double wide_p = p, wide_q = q;
+    return (wide_q + static_cast<long double>(sign) *
+                         std::sqrt(std::complex<long double>(wide_q * wide_q + 4 * wide_p))) /
+           2.0L;
   }
 };
 
 long double theory_radius(const AnyMethod& method, const LinearForce& force, double dt) {
   const Theory theory = method.theory();
   if (theory.moves.empty())
-    return std::max(std::abs(stability_function(method, force.rate(1) * dt)),
-                    std::abs(stability_function(method, force.rate(-1) * dt)));
+    return std::max(std::abs(stability_function(method, force.rate(1) * static_cast<long double>(dt))),
+                    std::abs(stability_function(method, force.rate(-1) * static_cast<long double>(dt))));
   long double image[2][2];
   for (int j = 0; j < 2; ++j) {
     long double x = j == 0, v = j == 1;
@@ -108,6 +111,7 @@ LimitLine limit(std::string_view method_id, std::string_view problem_id, std::st
         method.runs<long double>().transition(free.system<long double>(), static_cast<long double>(dt));
     return spectral_radius(m.columns[0], m.columns[2], m.columns[1], m.columns[3]);
   });
+  if (line.dt) line.number = rate * *line.dt, line.number_per_evaluation = line.number / line.evaluations;
   const LinearForce force(free);
   line.theory =
       first_limit(line.tried_down_to, high, [&](double dt) { return theory_radius(method, force, dt); });
@@ -126,7 +130,8 @@ std::vector<FaceRun> faces() {
   // F - c v|v| about its limiting speed sqrt(F/c): the rate there is 2 sqrt(F c) / m
   const AnyProblem quadratic = problem_called("drag_ship_quadratic", "t_reverse=1e9");
   const double rate_there = 2 * std::sqrt(1e6 * 25000) / 5e6;
-  for (const double product : {1.5, 2.2, 2.4})
+  runs.push_back(face(quadratic, 1, 1.5 / rate_there, rate_there, steps));
+  for (const double product : {2.2, 2.4})
     runs.push_back(face(quadratic, 1, product / rate_there, rate_there, 10 * steps));
   const AnyProblem spring = problem_called("oscillator");
   for (const double product : {0.05, 0.2})
@@ -146,10 +151,11 @@ std::vector<GrowthPoint> growth() {
       GrowthPoint point{id, dt};
       const double start = amplitude_of(spring, spring.initial.data());
       point.measured = std::log(amplitude_of(spring, end.data()) / start) / seconds;
-      const std::complex<double> r = stability_function(method, {0, 2 * pi * dt});
-      point.theory = std::log(std::norm(r)) / (2 * dt);
+      const auto r = stability_function(method, {0, static_cast<long double>(2 * pi * dt)});
+      point.theory = double(std::log(std::norm(r))) / (2 * dt);
       point.resolution =
           4 * std::numeric_limits<double>::epsilon() * std::sqrt(seconds * per_second) / seconds;
+      if (point.measured > point.resolution) point.doubles_in = std::log(2) / point.measured;
       points.push_back(point);
     }
   return points;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "bench/registry.hpp"
 #include "bench/stability_region.hpp"
 #include "integrators/linear_stability.hpp"
 #include "integrators/system.hpp"

@@ -3,9 +3,11 @@
 
 #include "bench/data/pictures.hpp"
 #include "bench/data/row.hpp"
-#include "bench/registry.hpp"
 
 namespace odemark {
+
+struct Registry;
+struct AnyProblem;
 
 /// Of the problems and methods of these rows, as far as this registry has them. Deterministic.
 Pictures make_pictures(const Registry& registry, const std::vector<Row>& rows);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bench/pictures.hpp"
+#include "bench/registry.hpp"
 #include "bench/run.hpp"
 #include "reference/truth.hpp"
 
@@ -14,8 +15,8 @@ namespace odemark {
 
 namespace {
 
-constexpr std::size_t exact_points = 240;
-constexpr int coarse_steps = 100;
+constexpr std::size_t exact_points = 128;  // multiples of 16 and of coarse_steps: the times are shared
+constexpr std::size_t coarse_steps = 64;
 constexpr double visible = 1e-3;  // of the scale: a line of a picture is thicker
 constexpr long most_steps = 2'000'000;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -107,7 +108,7 @@ void add_exact(Scene& scene, const Registry& registry, const AnyProblem& problem
                std::optional<std::size_t> x, std::size_t y) {
   std::vector<double> grid;
   for (std::size_t i = 1; i <= exact_points; ++i)
-    grid.push_back(problem.t_end * static_cast<double>(i) / exact_points);
+    grid.push_back(static_cast<double>(i) * problem.t_end / exact_points);
   for (const auto& point : truth.points) grid.push_back(point.t);
   std::sort(grid.begin(), grid.end());
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
@@ -151,13 +152,15 @@ Scene make_scene(const Registry& registry, const AnyProblem& problem, bool certi
   if (x) scene.x = std::string(problem.components[*x].name);
   scene.y = std::string(problem.components[y].name);
   if (certified) add_exact(scene, registry, problem, *truth_of(problem), x, y);
-  const double dt = (problem.t_end - problem.t_begin) / coarse_steps;
+  const double dt = problem.t_end / static_cast<double>(coarse_steps);
   for (const std::string_view id :
        {"explicit_euler", "semi_implicit_euler", "heun", "rk4", "implicit_euler"}) {
     const auto method = std::find_if(registry.methods.begin(), registry.methods.end(),
                                      [&](const AnyMethod& m) { return m.id == id; });
     if (method == registry.methods.end() || !can_run(*method, problem, true)) continue;
-    const Seen seen = solve(*method, problem, FixedSteps{coarse_steps}, {});
+    Seen seen = solve(*method, problem, FixedSteps{coarse_steps}, {});
+    for (std::size_t i = 0; i < seen.t.size(); ++i)
+      seen.t[i] = static_cast<double>(i) * problem.t_end / static_cast<double>(coarse_steps);
     Scene::Run run{std::string(id), std::string(to_string(seen.status)), dt,
                    curve(problem, seen, y, std::string(id), dt), std::nullopt};
     if (x) run.x = curve(problem, seen, *x, std::string(id), dt);

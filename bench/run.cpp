@@ -139,8 +139,10 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
   std::vector<long double> wide(problem.size());
   Trace<T> trace;
   if (request.trajectory) trace.grid = common_times(problem);
-  trace.on_step = [&](T, const T* state) {
+  double last_finite = problem.t_begin;  // fixed steps go on through NaN: where the numbers ended
+  trace.on_step = [&](T t, const T* state) {
     std::copy_n(state, wide.size(), wide.begin());
+    if (all_finite(wide)) last_finite = static_cast<double>(t);
     return watch(wide) && !(stop && stop->load(std::memory_order_relaxed));
   };
   RunReport report;
@@ -150,11 +152,13 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
   } catch (const std::exception& e) {
     row.status = to_string(RunStatus::rhs_failed);
     row.reason = fmt::format("the right-hand side threw: {}", e.what());
+    row.t_reached = last_finite;
     return;
   }
   row.status = to_string(report.status);
   row.reason = std::string(report.reason);
   row.accepted = report.accepted, row.rejected = report.rejected, row.t_reached = report.t_reached;
+  if (report.status == RunStatus::not_finite) row.t_reached = std::min(report.t_reached, last_finite);
   row.work = {counts.rhs,
               counts.acceleration,
               counts.jacobian,

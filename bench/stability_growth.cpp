@@ -29,7 +29,8 @@ long double matrix_growth(std::size_t size, std::vector<long double> matrix) {
       if (!std::isfinite(entry)) return std::numeric_limits<Wide>::quiet_NaN();
       norm = std::max(norm, std::abs(entry));
     }
-    if (norm == 0) return -std::numeric_limits<Wide>::infinity();
+    // exactly 0 early is a nilpotent matrix; late it is a Jordan block whose growth has long been summed
+    if (norm == 0) return squarings < 8 ? -std::numeric_limits<Wide>::infinity() : growth;
     growth += weight * std::log(norm);
     weight /= 2;
     for (Wide& entry : matrix) entry /= norm;
@@ -56,19 +57,27 @@ void StepProbe::prepare(const AnyMethod& method, const ErasedSystem<T>& system) 
 StepProbe::StepProbe(const AnyMethod& method, const ErasedSystem<double>& system) { prepare(method, system); }
 StepProbe::StepProbe(const AnyMethod& method, const ErasedSystem<float>& system) { prepare(method, system); }
 
-StepGrowth StepProbe::operator()(double dt, bool with_noise) const {
+double StepProbe::tolerance(double z) const { return std::max(1e-12, 50 * unit_ * std::max(1.0, z)); }
+
+StepGrowth StepProbe::operator()(double dt) const {
   const Step step = step_(dt);
-  StepGrowth out;
-  out.solved = step.solved;
-  out.growth = matrix_growth(step.size, step.matrix);
-  if (with_noise && std::isfinite(out.growth)) out.noise = noise_of(step, out.growth, dt);
-  return out;
+  return {step.solved, matrix_growth(step.size, step.matrix)};
+}
+
+/// Which of the moved matrices has real and which complex eigenvalues is chance, so neighbours are asked as
+/// well.
+long double StepProbe::noise(double dt) const {
+  Wide worst = 0;
+  for (int k = -2; k <= 2; ++k) worst = std::max(worst, noise_of(step_(dt * (1 + k * 1e-8)), dt));
+  return 2 * worst;
 }
 
 /// Moves every entry by a few roundings of the terms it was summed from: those of exp(|J| dt), as many as the
 /// method's order. Near a double eigenvalue this is the square root of a rounding, far above the rounding
 /// itself.
-long double StepProbe::noise_of(const Step& step, long double growth, double dt) const {
+long double StepProbe::noise_of(const Step& step, double dt) const {
+  const Wide growth = matrix_growth(step.size, step.matrix);
+  if (!std::isfinite(growth)) return 0;
   std::vector<Wide> scale(step.size * step.size, 0), term(size_ * size_, 0), rate(jacobian_);
   for (Wide& entry : rate) entry = std::abs(entry) * Wide(dt);
   for (std::size_t i = 0; i < size_; ++i) term[i * size_ + i] = 1;

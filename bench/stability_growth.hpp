@@ -12,22 +12,24 @@ long double matrix_growth(std::size_t size, std::vector<long double> matrix);
 struct StepGrowth {
   bool solved = true;      // false: an implicit stage could not be solved
   long double growth = 0;  // per step; NaN where an entry of the matrix is not finite
-  long double noise = 0;   // how far rounding of the step's entries may move it; only where asked for
 };
 
-/// One step of a method on a linear homogeneous system, in double or float.
+/// One step of a method on a linear homogeneous system, in double or float. The system must outlive it.
 class StepProbe {
  public:
   StepProbe(const AnyMethod& method, const ErasedSystem<double>& system);
   StepProbe(const AnyMethod& method, const ErasedSystem<float>& system);
 
-  bool available() const { return static_cast<bool>(step_); }
   double unit_roundoff() const { return unit_; }
-  /// Growth per step up to which a step counts as stable.
-  double tolerance() const { return std::max(1e-12, 50 * unit_); }
+  /// Growth per step up to which a step counts as stable, at z = dt * fastest rate. Rounding z alone moves
+  /// the growth by z roundings.
+  double tolerance(double z) const;
   /// Growth per step below which rounding and instability cannot be told apart.
-  double floor() const { return 16 * unit_; }
-  StepGrowth operator()(double dt, bool with_noise = false) const;
+  double floor() const { return 8 * unit_; }
+
+  StepGrowth operator()(double dt) const;
+  /// How far rounding of the step's entries may move its growth.
+  long double noise(double dt) const;
 
  private:
   struct Step {
@@ -37,7 +39,7 @@ class StepProbe {
   };
   template <class T>
   void prepare(const AnyMethod& method, const ErasedSystem<T>& system);
-  long double noise_of(const Step& step, long double growth, double dt) const;
+  long double noise_of(const Step& step, double dt) const;
 
   std::function<Step(double dt)> step_;
   std::vector<long double> jacobian_;

@@ -12,7 +12,7 @@ namespace {
 
 class Scanner {
  public:
-  Scanner(const StepProbe& probe, const ScanRange& range) : probe_(probe), range_(range) {}
+  Scanner(const ScanSubject& subject, const ScanRange& range) : subject_(subject), range_(range) {}
 
   Scan run() {
     const double rate = range_.fastest_rate;
@@ -21,7 +21,8 @@ class Scanner {
     const double end = std::max({60 / rate, 1.2 * range_.expected, 1.2 * range_.last_expected});
     while (at_ < end && scan_.failure.empty())
       advance(at_ < coarse_from || edges_.empty() ? at_ + fine : at_ + std::max(0.02 / rate, 0.005 * at_));
-    while (edges_.empty() && at_ < 1e6 / rate && scan_.failure.empty()) advance(at_ * 1.2);
+    const auto tells = [&] { return at_ < 1e6 / rate && subject_.tolerance(1.2 * at_ * rate) < 0.01; };
+    while (edges_.empty() && tells() && scan_.failure.empty()) advance(at_ * 1.2);
     scan_.scanned_to = at_;
     if (scan_.failure.empty()) conclude();
     return scan_;
@@ -29,13 +30,16 @@ class Scanner {
 
  private:
   bool stable(double dt) {
-    const auto step = probe_(dt);
+    const auto step = subject_.growth(dt);
     if (!step.solved && scan_.failure.empty())
       scan_.failure = fmt::format("an implicit stage could not be solved at dt = {:.6g} s", dt);
     if (std::isnan(step.growth) && step.solved && dt * range_.fastest_rate < 1e3 && scan_.failure.empty())
       scan_.failure = fmt::format("the step has an entry that is not finite at dt = {:.6g} s", dt);
-    return step.growth <= static_cast<long double>(probe_.tolerance());
+    return step.growth <= tolerance(dt);
   }
+
+  long double tolerance(double dt) const { return subject_.tolerance(dt * range_.fastest_rate); }
+  long double growth(double dt) const { return subject_.growth(dt).growth; }
 
   void advance(double next) {
     const bool good = stable(next);
@@ -54,12 +58,11 @@ class Scanner {
 
   /// How far the edge may be off: growth is only known to the tolerance and the noise, and grows from there.
   double resolution(double edge) const {
-    const auto here = probe_(edge, true);
-    const long double unknown = static_cast<long double>(probe_.tolerance()) + here.noise;
+    const long double unknown = tolerance(edge) + subject_.noise(edge), here = growth(edge);
     double step = 1e-6 * edge;
     for (; step < 0.01 * edge; step *= 10)
-      if (probe_(edge + step).growth - here.growth > 10 * unknown) break;
-    const long double slope = (probe_(edge + step).growth - here.growth) / static_cast<long double>(step);
+      if (growth(edge + step) - here > 10 * unknown) break;
+    const long double slope = (growth(edge + step) - here) / static_cast<long double>(step);
     return slope > 0 ? double(unknown / slope) + 4e-16 * edge : edge;
   }
 
@@ -72,7 +75,8 @@ class Scanner {
     // Growth that is above rounding well inside the edge does not begin at the edge: that is only where a
     // power law such as Heun's (w dt)^4 / 8 passes the tolerance. A true limit is followed downwards by
     // decay, or by nothing at all.
-    if (probe_(0.95 * edge).growth > static_cast<long double>(probe_.floor())) {
+    const long double floor = static_cast<long double>(subject_.floor);
+    if (growth(0.95 * edge) > floor && growth(0.9 * edge) > floor) {
       scan_.verdict = "unstable";
       scan_.resolution = edge;
     } else {
@@ -80,11 +84,14 @@ class Scanner {
       scan_.limit = edge;
       scan_.resolution = resolution(edge);
     }
-    for (std::size_t i = 1; i < edges_.size(); i += 2)
-      scan_.later_bands.emplace_back(edges_[i], i + 1 < edges_.size() ? edges_[i + 1] : scan_.scanned_to);
+    for (std::size_t i = 1; i < edges_.size(); i += 2) {
+      const double low = edges_[i], high = i + 1 < edges_.size() ? edges_[i + 1] : scan_.scanned_to;
+      if (high - low > 1e-6 * high)
+        scan_.later_bands.emplace_back(low, high);  // else one point on the circle
+    }
   }
 
-  const StepProbe& probe_;
+  const ScanSubject& subject_;
   const ScanRange range_;
   Scan scan_;
   double at_ = 0;
@@ -94,6 +101,13 @@ class Scanner {
 
 }  // namespace
 
-Scan scan_step_sizes(const StepProbe& probe, const ScanRange& range) { return Scanner(probe, range).run(); }
+ScanSubject subject_of(const StepProbe& probe) {
+  return {[&probe](double dt) { return probe(dt); }, [&probe](double z) { return probe.tolerance(z); },
+          [&probe](double dt) { return probe.noise(dt); }, probe.floor()};
+}
+
+Scan scan_step_sizes(const ScanSubject& subject, const ScanRange& range) {
+  return Scanner(subject, range).run();
+}
 
 }  // namespace odemark

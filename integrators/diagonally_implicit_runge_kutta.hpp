@@ -49,6 +49,7 @@ class DiagonallyImplicitRungeKuttaStepper {
         size_(size_of(model)),
         stage_(model),
         base_(model),
+        spare_(model),
         correction_(model),
         increment_(model),
         lu_(size_) {
@@ -123,7 +124,8 @@ class DiagonallyImplicitRungeKuttaStepper {
   }
 
   void refresh_jacobian(Real t, const State& y) {
-    evaluate_jacobian(system_, t, y, MatrixView<Real>{lu_.jacobian(), size_}, base_, correction_, increment_);
+    evaluate_jacobian(system_, t, y, MatrixView<Real>{lu_.jacobian(), size_}, spare_, correction_,
+                      increment_);
   }
   void factorize(Real diagonal) {
     lu_.factorize(factored_ = diagonal);
@@ -137,9 +139,7 @@ class DiagonallyImplicitRungeKuttaStepper {
     Real previous = std::numeric_limits<Real>::infinity();
     for (int iteration = 0; iteration < most_iterations * (every ? 4 : 1); ++iteration) {
       if (every) {
-        const State kept = base_;
         refresh_jacobian(stage_time, stage_);
-        base_ = kept;
         factorize(diagonal);
       } else if (!(factored_ == diagonal)) {
         factorize(diagonal);
@@ -174,7 +174,7 @@ class DiagonallyImplicitRungeKuttaStepper {
   const P& system_;
   std::size_t size_;
   std::array<State, method.stages> slopes_;
-  State stage_, base_, correction_, increment_;
+  State stage_, base_, spare_, correction_, increment_;
   DenseLu<Real> lu_;
   Real factored_ = std::numeric_limits<Real>::quiet_NaN();
   NewtonCounts counts_;

@@ -54,15 +54,15 @@ NewtonCounts newton_counts_of(const S& stepper) {
     return {};
 }
 
-/// Equal steps on t0 + n (t1 - t0) / count: times are computed, never accumulated. The state travels in a local and
-/// the loop is inlined into its caller, so that stepper and state of a small problem live in registers.
-template <Stepper S, class Observer = NoObserver>
-[[gnu::always_inline]] inline RunReport integrate(S& stepper, FixedSteps steps, double t0, double t1,
-                                                  typename S::State& y_in_out, Observer&& observe = {}) {
+namespace detail {
+template <Stepper S, class Observer>
+[[gnu::always_inline]] inline RunReport take_equal_steps(S& stepper, FixedSteps steps, double t0, double t1,
+                                                         typename S::State& y_in_out, Observer& observe) {
   using State = typename S::State;
   using Real = RealOf<State>;
   const Real begin = Real(t0), h = (Real(t1) - begin) / Real(steps.count);
-  State y = y_in_out, next = blank_like(y), error = blank_like(y), carry = zeros_like(y), next_carry = zeros_like(y);
+  State y = y_in_out, next = blank_like(y), error = blank_like(y), carry = zeros_like(y),
+        next_carry = zeros_like(y);
   RunReport report;
   const auto stop = [&](RunStatus status, Real t) {
     y_in_out = y;
@@ -89,19 +89,37 @@ template <Stepper S, class Observer = NoObserver>
     } else {
       status = stepper.attempt(t, y, h, next, error);
     }
-    if (status != StepStatus::ok) return stop(all_finite(y) ? RunStatus::newton_diverged : RunStatus::not_finite, t);
+    if (status != StepStatus::ok)
+      return stop(all_finite(y) ? RunStatus::newton_diverged : RunStatus::not_finite, t);
     stepper.accept();
     ++report.accepted;
     if (!observe(t, y, n + 1 == steps.count ? Real(t1) : begin + Real(n + 1) * h, next)) {
       std::swap(y, next);
       return stop(RunStatus::time_limit, begin + Real(n + 1) * h);
     }
-    if constexpr (fixed_size<State> > 0)
+    if constexpr (fixed_size < State >> 0)
       y = next;
     else
       std::swap(y, next);
   }
   return stop(all_finite(y) ? RunStatus::reached_end : RunStatus::not_finite, Real(t1));
+}
+
+}  // namespace detail
+
+/// Equal steps on t0 + n (t1 - t0) / count: times are computed, never accumulated. For a state of fixed size
+/// the state travels in a local and the loop is inlined into its caller, so that stepper and state live in
+/// registers.
+template <Stepper S, class Observer = NoObserver>
+requires(fixed_size<typename S::State> > 0)  //
+    [[gnu::always_inline]] inline RunReport integrate(S& stepper, FixedSteps steps, double t0, double t1,
+                                                      typename S::State& y, Observer&& observe = {}) {
+  return detail::take_equal_steps(stepper, steps, t0, t1, y, observe);
+}
+template <Stepper S, class Observer = NoObserver>
+RunReport integrate(S& stepper, FixedSteps steps, double t0, double t1, typename S::State& y,
+                    Observer&& observe = {}) {
+  return detail::take_equal_steps(stepper, steps, t0, t1, y, observe);
 }
 
 /// First step from the size of the slope and the tolerance: h such that h |f| is a hundredth of the weights'

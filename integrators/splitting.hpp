@@ -55,10 +55,17 @@ class SplittingStepper {
   using Real = RealOf<State>;
 
   SplittingStepper(const P& system, const State& model)
-      : system_(system), half_(size_of(model) / 2), a_(zeros_like(model)), moving_carry_(zeros_like(model)) {}
+      : system_(system),
+        half_(size_of(model) / 2),
+        a_(zeros_like(model)),
+        first_(zeros_like(model)),
+        moving_carry_(zeros_like(model)) {}
 
   void start() { known_ = false, ends_known_ = false; }
-  void accept() { known_ = ends_known_; }
+  void accept() {
+    known_ = ends_known_;
+    if constexpr (method.last_kick_is_next_first()) std::swap(first_, a_);
+  }
 
   StepStatus attempt(Real t, const State& y, Real h, State& next, State&) {
     next = y;
@@ -83,26 +90,27 @@ class SplittingStepper {
  private:
   template <class Add>
   [[gnu::always_inline]] void run(Real t, Real h, State& y, Add&& add) {
-    bool known = known_;
-    ends_known_ = false;
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (substep<I>(t, h, y, known, add), ...); }
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (substep<I>(t, h, y, add), ...); }
     (std::make_index_sequence<method.length>{});
     if constexpr (method.last_kick_is_next_first()) ends_known_ = !system_.force_depends_on_velocity();
   }
 
   template <std::size_t I, class Add>
-  [[gnu::always_inline]] void substep(Real& t, Real h, State& y, bool& known, Add& add) {
+  [[gnu::always_inline]] void substep(Real& t, Real h, State& y, Add& add) {
     constexpr Real drift = static_cast<Real>(method.drift[I]), kick = static_cast<Real>(method.kick[I]);
     if constexpr (method.drift[I] != 0) {
       const Real w = drift * h;
       for_half([&](std::size_t i) { add(y, i, w * y.data()[half() + i]); });
       t += w;
-      known = false;
     }
     if constexpr (method.kick[I] != 0) {
-      if (!(I == 0 && known)) system_.acceleration(t, y, a_.data());
+      // the force at the start outlives the step's own: a rejected attempt must not take it away
+      constexpr bool is_first = I == 0 && method.last_kick_is_next_first();
+      State& a = is_first ? first_ : a_;
+      if (!(is_first && known_)) system_.acceleration(t, y, a.data());
+      if constexpr (is_first) known_ = true;
       const Real w = kick * h;
-      for_half([&](std::size_t i) { add(y, half() + i, w * a_.data()[i]); });
+      for_half([&](std::size_t i) { add(y, half() + i, w * a.data()[i]); });
     }
   }
 
@@ -124,7 +132,7 @@ class SplittingStepper {
 
   const P& system_;
   std::size_t half_;
-  State a_, moving_carry_;
+  State a_, first_, moving_carry_;  // acceleration of this kick; at the start of the step, where known_
   bool known_ = false, ends_known_ = false;
 };
 

@@ -5,32 +5,44 @@
 
 namespace odemark {
 
+template <class F, class P>
+concept StepsAlone = requires(const F& f, const P& p, typename P::State& y, RealOf<typename P::State> t) {
+  f(p, t, y, t);
+};
+template <class F, class P>
+concept StepsWithScratch = requires(const F& f, const P& p, typename P::State& y,
+                                    RealOf<typename P::State> t) {
+  f(p, t, y, t, y);
+};
+
 template <const auto& method, System P>
 class StepFunctionStepper {
  public:
   using State = typename P::State;
   using Real = RealOf<State>;
 
-  StepFunctionStepper(const P& system, const State&) : system_(system) {}
+  StepFunctionStepper(const P& system, const State& model) : system_(system), scratch_(model) {}
   void start() {}
   void accept() {}
   StepStatus attempt(Real t, const State& y, Real h, State& next, State&) {
     next = y;
-    method.step(system_, t, next, h);
+    if constexpr (StepsWithScratch<decltype(method.step), P>)
+      method.step(system_, t, next, h, scratch_);
+    else
+      method.step(system_, t, next, h);
     return StepStatus::ok;
   }
 
  private:
   const P& system_;
+  State scratch_;
 };
 
 template <class P, class F>
-concept AcceptedBy = System<P> &&
-    requires(const F& f, const P& p, typename P::State& y, RealOf<typename P::State> t) {
-  f(p, t, y, t);
-};
+concept AcceptedBy = System<P> &&(StepsAlone<F, P> || StepsWithScratch<F, P>);
 
-/// `step(problem, t, y, h)` overwrites y(t) with y(t + h). Constrain its first parameter to say what it
+/// `step(problem, t, y, h)` overwrites y(t) with y(t + h); `step(problem, t, y, h, scratch)` may use a second
+/// state as its own and so allocate nothing. Constrain its first parameter to say what it
 /// needs; `Needs` says the same in Ability bits, for problems whose type is gone.
 template <class F, unsigned Needs>
 struct StepFunction {

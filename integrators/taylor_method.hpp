@@ -8,7 +8,7 @@
 namespace odemark {
 
 template <const auto& method, System P>
-class TaylorStepper;
+class NamedTaylorStepper;
 
 template <class P>
 concept RecordableSystem = System<P> && requires(const P& p) {
@@ -39,19 +39,21 @@ struct Taylor {
   }
 
   template <const auto& method, RecordableSystem P>
-  using Stepper = TaylorStepper<method, P>;
+  using Stepper = NamedTaylorStepper<method, P>;
 };
 
-template <const auto& method, System P>
+/// The order is a run-time number: one engine serves all twenty methods.
+template <System P>
 class TaylorStepper {
  public:
   using State = typename P::State;
   using Real = RealOf<State>;
 
-  TaylorStepper(const P& system, const State& model)
+  TaylorStepper(const P& system, const State& model, int order)
       : system_(system),
         tape_(system.tape()),
-        series_(tape_, size_of(model), method.order),
+        order_(order),
+        series_(tape_, size_of(model), order),
         increment_(model) {}
   TaylorStepper(const TaylorStepper&) = delete;
   TaylorStepper& operator=(const TaylorStepper&) = delete;
@@ -63,11 +65,9 @@ class TaylorStepper {
     expand(t, y);
     for_each_component(y, [&](std::size_t i) {
       next.data()[i] = y.data()[i] + sum_from_first(i, h);
-      if constexpr (method.embedded_order > 0) {
-        Real last = series_.coefficient(i, method.order);
-        for (int k = 0; k < method.order; ++k) last *= h;
-        error.data()[i] = last;
-      }
+      Real last = series_.coefficient(i, order_);
+      for (int k = 0; k < order_; ++k) last *= h;
+      error.data()[i] = last;
     });
     return StepStatus::ok;
   }
@@ -82,22 +82,30 @@ class TaylorStepper {
  private:
   void expand(Real t, const State& y) {
     if (known_) return;  // a rejected attempt: the same series, a shorter step
-    series_.expand(t, y.data(), method.order);
+    series_.expand(t, y.data(), order_);
     system_.count_series();
     known_ = true;
   }
   /// sum_{k>=1} c_k h^k by Horner: the large y is added last.
   Real sum_from_first(std::size_t i, Real h) const {
-    Real sum = series_.coefficient(i, method.order);
-    for (int k = method.order - 1; k >= 1; --k) sum = sum * h + series_.coefficient(i, k);
+    Real sum = series_.coefficient(i, order_);
+    for (int k = order_ - 1; k >= 1; --k) sum = sum * h + series_.coefficient(i, k);
     return sum * h;
   }
 
   const P& system_;
   const Tape<Real> tape_;
+  int order_;
   TaylorSeries<Real> series_;
   State increment_;
   bool known_ = false;
+};
+
+template <const auto& method, System P>
+class NamedTaylorStepper : public TaylorStepper<P> {
+ public:
+  using Engine = TaylorStepper<P>;
+  NamedTaylorStepper(const P& system, const typename P::State& model) : Engine(system, model, method.order) {}
 };
 
 }  // namespace odemark

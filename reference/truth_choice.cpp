@@ -77,6 +77,9 @@ Workload survey(const WideProblem& problem, const Wide& end, const std::vector<d
   Workload work;
   for (const auto& entry : problem.phases.front().tape.entries) {
     work.entries += 1;
+    work.evaluation += entry.op == TapeOp::square_root                                  ? 10
+                       : entry.op > TapeOp::square_root && entry.op != TapeOp::absolute ? 100
+                                                                                        : 1;
     if (entry.op >= TapeOp::multiply && entry.op != TapeOp::negate) work.products += 1;
     if (entry.op == TapeOp::absolute) work.kinks = true;
   }
@@ -123,11 +126,11 @@ double expected_seconds(TruthOrigin origin, const Workload& work, std::size_t si
              (order * order / 2 * work.products + order * work.entries) * 1.5 * operation;
     }
     case TruthOrigin::extrapolation:
-      return std::max(2 * work.steps, work.stiffness / 1.5) * 156 * (work.entries + 2 * n) * operation;
+      return std::max(3.5 * work.steps, 4 * work.stiffness) * 156 * (work.evaluation + 2 * n) * operation;
     case TruthOrigin::radau:
     case TruthOrigin::lobatto: {
-      const double s = 21, wide = s * s * n + s * work.entries, jacobians = s * work.entries * (1 + n);
-      return (origin == TruthOrigin::radau ? 2 : 2.4) * work.steps *
+      const double s = 21, wide = s * s * n + s * work.evaluation, jacobians = s * work.evaluation * (1 + n);
+      return (origin == TruthOrigin::radau ? 3.5 : 4.3) * work.steps *
              (7 * wide * operation + 2 * jacobians * operation + std::pow(s * n, 3) * 1e-9);
     }
   }
@@ -165,8 +168,10 @@ std::pair<TruthOrigin, TruthOrigin> choose_origins(const WideProblem& problem, c
     // only Taylor series find a kink; extrapolation would step over it even if it were told
     if (work.kinks && (pair.second == extrapolation || !(pair.first == taylor || pair.second == taylor)))
       continue;
-    const double seconds = expected_seconds(pair.first, work, problem.size, exponent) +
-                           expected_seconds(pair.second, work, problem.size, exponent);
+    double seconds = expected_seconds(pair.first, work, problem.size, exponent) +
+                     expected_seconds(pair.second, work, problem.size, exponent);
+    // Radau and Lobatto share Newton's method: rather two ways that share nothing, where time allows it
+    if (pair.first == radau) seconds += options.time_limit_seconds / 8;
     if (!(seconds >= best)) best = seconds, chosen = pair;
   }
   if (chosen.first == chosen.second) throw BadInput("no two ways to this truth fit what was asked for");

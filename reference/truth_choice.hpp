@@ -21,11 +21,12 @@ std::unique_ptr<TruthSolver> make_truth_solver(TruthOrigin origin, double expone
 
 /// What a quick implicit run at low accuracy tells about the way to `end`.
 struct Workload {
-  double steps = 0;      // that it took, or would have taken
-  double stiffness = 0;  // the integral of the spectral radius of the Jacobian
-  double products = 0;   // operations on the tape that cost a convolution
-  double entries = 0;    // all operations on it
-  bool kinks = false;    // abs on the tape
+  double steps = 0;       // that it took, or would have taken
+  double stiffness = 0;   // the integral of the spectral radius of the Jacobian
+  double products = 0;    // operations on the tape that cost a convolution
+  double entries = 0;     // all operations on it
+  double evaluation = 0;  // the cost of one evaluation, in multiplications
+  bool kinks = false;     // abs on the tape
 };
 Workload survey(const WideProblem& problem, const Wide& end, const std::vector<double>& scale);
 
@@ -33,7 +34,8 @@ Workload survey(const WideProblem& problem, const Wide& end, const std::vector<d
 double expected_seconds(TruthOrigin origin, const Workload& work, std::size_t size, double exponent);
 
 /// The closed form and the cheapest solver; without closed form the cheapest pair of Taylor with
-/// extrapolation, Taylor with Radau, Radau with Lobatto. What the options name is kept.
+/// extrapolation, Taylor with Radau, Radau with Lobatto (these share Newton's method, so only where the
+/// others take long). What the options name is kept.
 std::pair<TruthOrigin, TruthOrigin> choose_origins(const WideProblem& problem, const Workload& work,
                                                    double exponent, const CertifyOptions& options);
 

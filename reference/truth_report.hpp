@@ -9,8 +9,8 @@
 namespace odemark {
 
 struct TruthRequest {
-  std::string problem, settings;  // "kepler_e06", "e=0.7"
-  std::optional<std::string> t;   // as typed; otherwise t_end
+  std::string problem = {}, settings = {};  // "kepler_e06", "e=0.7"
+  std::optional<std::string> t = {};        // as typed; otherwise t_end
   int digits = 30;
   bool exact_inputs = false;  // T and all settings at their full decimal value
   bool json = false;

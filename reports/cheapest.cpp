@@ -20,26 +20,25 @@ bool good(const CurvePoint& p, double error) { return !p.failed && p.error <= er
 
 std::string second_text(const std::vector<Offer>& offers) {
   if (offers.size() < 2) return std::string(no_value);
-  return fmt::format("{} × {}", offers[1].label, compact(offers[1].cost / offers[0].cost, 3));
+  const double ratio = offers[1].cost / offers[0].cost;
+  return fmt::format("{} × {}", offers[1].label,
+                     ratio < 100 ? compact(ratio, 3) : fmt::format("{:.0f}", ratio));
 }
 
-void add_line(Table& table, const ProblemCurves& problem, double error) {
-  std::vector<Cell> row{{problem.problem}, number_cell(error, scientific(error, 1))};
-  for (const Cost cost : {Cost::evaluations, Cost::time}) {
-    const auto offers = cheapest(problem, error, cost);
-    if (offers.empty()) {
-      const bool untimed = cost == Cost::time && !problem.timed;
-      row.push_back({untimed ? "not timed" : "no method gets there", Status::muted});
-      for (int i = 0; i < 3; ++i) row.push_back({std::string(no_value), Status::muted});
-      continue;
-    }
-    const Offer& first = offers[0];
-    row.push_back({first.label, Status::ok});
-    row.push_back({(first.at_most ? "≤ " : "") + cost_text(first, cost), Status::plain, first.cost});
-    row.push_back({control_text(first), Status::plain, first.control});
-    row.push_back({second_text(offers), offers.size() < 2 ? Status::muted : Status::plain});
+std::vector<Cell> line(const ProblemCurves& problem, double error, Cost cost) {
+  std::vector<Cell> cells{{problem.problem}, {target_text(error), Status::plain, error}};
+  const auto offers = cheapest(problem, error, cost);
+  if (offers.empty()) {
+    const bool untimed = cost == Cost::time && !problem.timed;
+    cells.push_back({untimed ? "not timed" : "no method gets there", Status::muted});
+    return cells;
   }
-  table.rows.push_back(std::move(row));
+  const Offer& first = offers[0];
+  cells.push_back({first.label, Status::ok});
+  cells.push_back({(first.at_most ? "≤ " : "") + cost_text(first, cost), Status::plain, rounded(first.cost)});
+  cells.push_back({control_text(first), Status::plain, rounded(first.control)});
+  cells.push_back({second_text(offers), offers.size() < 2 ? Status::muted : Status::plain});
+  return cells;
 }
 
 }  // namespace
@@ -88,19 +87,28 @@ std::string cost_text(const Offer& offer, Cost cost) {
   return fmt::format("{:.0f}", std::ceil(offer.cost));
 }
 
-Table cheapest_table(const std::vector<ProblemCurves>& problems) {
-  Table table{"cheapest", "The cheapest method for an error", "", {}, {}};
-  table.columns = {
-      {"problem"}, {"error", Align::right},   {"fewest evaluations"}, {"evaluations", Align::right},
-      {"with"},    {"second, times as many"}, {"least time"},         {"per simulated s", Align::right},
-      {"with "},   {"second, times as long"}};
+std::string target_text(double error) {
+  return power_of_ten(static_cast<int>(std::lround(std::log10(error))));
+}
+
+Table cheapest_table(const std::vector<ProblemCurves>& problems, Cost cost) {
+  const bool time = cost == Cost::time;
+  Table table{time ? "cheapest-time" : "cheapest-evaluations",
+              time ? "Least time for an error" : "Fewest evaluations for an error",
+              "",
+              {{"problem"},
+               {"error", Align::right},
+               {time ? "least time" : "fewest evaluations"},
+               {time ? "per simulated second" : "evaluations", Align::right},
+               {"with"},
+               {time ? "second, times as long" : "second, times as many"}},
+              {}};
   table.note =
       "Interpolated between neighbouring runs of a method on logarithmic axes, never extrapolated. ≤: the "
       "coarsest run that worked is already this good. A method counts from the run on from which every finer "
-      "one stays "
-      "below the error, so a lucky crossing wins nothing.";
+      "one stays below the error, so a lucky crossing wins nothing.";
   for (const ProblemCurves& problem : problems)
-    for (const double error : target_errors) add_line(table, problem, error);
+    for (const double error : target_errors) table.rows.push_back(line(problem, error, cost));
   return table;
 }
 

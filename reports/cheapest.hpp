@@ -34,8 +34,10 @@ std::string control_text(const Offer& offer);
 /// "312 evaluations" or "1.23 µs"
 std::string cost_text(const Offer& offer, Cost cost);
 
-/// One line per problem and target error: who needs the fewest evaluations, who the least time, and who comes
-/// second.
-Table cheapest_table(const std::vector<ProblemCurves>& problems);
+/// "10⁻⁶"
+std::string target_text(double error);
+
+/// One line per problem and target error: who is cheapest, with which control, and who comes second.
+Table cheapest_table(const std::vector<ProblemCurves>& problems, Cost cost);
 
 }  // namespace odemark

@@ -136,8 +136,7 @@ CheckResult check(const std::vector<Row>& rows, const std::vector<StabilityRow>&
     for (const auto& [line, what] : sought)
       if (!what.found)
         result.findings.push_back(about_file(thresholds.name, what.metric, Outcome::missing,
-                                             fmt::format("no case of the rule has a run {}", what.what),
-                                             line));
+                                             fmt::format("no case of the rule has a {}", what.what), line));
   }
   return result;
 }

@@ -32,8 +32,8 @@ struct Finding {
 
 struct CheckOptions {
   bool strict = false;  // final states must equal the baseline's bit for bit
-  std::string today;    // YYYY-MM-DD: skips past their `until` end; empty: none does
-  std::string only;     // regular expression on case names; throws std::invalid_argument if it is none
+  std::string today{};  // YYYY-MM-DD: skips past their `until` end; empty: none does
+  std::string only{};   // regular expression on case names; throws std::invalid_argument if it is none
 };
 
 /// A baseline that may be absent or unreadable; `problem` then says why in one sentence.

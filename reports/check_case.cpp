@@ -30,18 +30,23 @@ double norm_of(const RowErrors& e, std::string_view norm) {
 
 std::string because(const Row& row) { return row.reason.empty() ? "" : fmt::format(" ({})", row.reason); }
 
-/// Runs a demand is about; where there are none, remembers that it looked, and tells it if the case is named.
+/// Remembers that a demand looked for something and whether it was there; tells it at once if the rule names
+/// the case.
+void remember(const GateCase& gate_case, const char* metric, int line, bool named, bool found,
+              const std::string& what, const CaseChecks& checks) {
+  Sought& sought = checks.sought[line];
+  sought.metric = metric, sought.what = what;
+  if (found || named) sought.found = true;
+  if (found || !named) return;
+  Tally tally(gate_case, metric, line);
+  tally.add(Outcome::missing, fmt::format("no {}", what));
+  tally.finish(checks.findings);
+}
+
 std::vector<const Row*> runs_for(const GateCase& gate_case, const RunSelector& runs, const char* metric,
                                  int line, bool named, const CaseChecks& checks) {
   auto found = select_runs(gate_case, runs);
-  Sought& sought = checks.sought[line];
-  sought.metric = metric, sought.what = in_words(runs);
-  if (!found.empty() || named) sought.found = true;
-  if (found.empty() && named) {
-    Tally tally(gate_case, metric, line);
-    tally.add(Outcome::missing, fmt::format("no run {}", in_words(runs)));
-    tally.finish(checks.findings);
-  }
+  remember(gate_case, metric, line, named, !found.empty(), "run " + in_words(runs), checks);
   return found;
 }
 
@@ -55,12 +60,9 @@ void check_order(const GateCase& gate_case, const Chosen<OrderDemand>& chosen, c
       reached = reached || row->status == "reached_end";
       has_error = has_error || row->errors.has_value();
     }
+  remember(gate_case, "order", demand.line, chosen.named, !curve.empty(), "run with fixed steps", checks);
+  if (curve.empty()) return;  // chooses its own steps
   Tally tally(gate_case, "order", demand.line);
-  if (curve.empty()) {  // chooses its own steps
-    if (chosen.named) tally.add(Outcome::missing, "no run with fixed steps");
-    tally.finish(checks.findings);
-    return;
-  }
   OrderOptions options;
   options.slack = checks.thresholds.defaults.order_slack;
   const ObservedOrder order = observed_order(curve, options);
@@ -136,7 +138,6 @@ void check_drift(const GateCase& gate_case, const Chosen<std::vector<DriftDemand
 void check_status(const GateCase& gate_case, const Chosen<StatusDemand>& chosen, const CaseChecks& checks) {
   const StatusDemand& demand = *chosen.demand;
   Tally tally(gate_case, "status", demand.line);
-  if (gate_case.executed.empty()) return;
   for (const Row* row : runs_for(gate_case, demand.runs, "status", demand.line, chosen.named, checks)) {
     const bool met =
         std::find(demand.expected.begin(), demand.expected.end(), row->status) != demand.expected.end();
@@ -156,7 +157,11 @@ std::string limit_in_words(const std::string& verdict, const std::optional<doubl
   return verdict == "limit" ? fmt::format("limit {:.10g} s", limit.value_or(absent)) : verdict;
 }
 
-void check_stability(const GateCase& gate_case, const StabilityDemand& demand, const CaseChecks& checks) {
+void check_stability(const GateCase& gate_case, const Chosen<StabilityDemand>& chosen,
+                     const CaseChecks& checks) {
+  const StabilityDemand& demand = *chosen.demand;
+  remember(gate_case, "stability", demand.line, chosen.named, !gate_case.stability.empty(), "stability row",
+           checks);
   Tally tally(gate_case, "stability", demand.line);
   for (const StabilityRow* row : gate_case.stability) {
     const std::string measured = limit_in_words(row->verdict, row->measured);
@@ -180,8 +185,11 @@ void check_stability(const GateCase& gate_case, const StabilityDemand& demand, c
   tally.finish(checks.findings);
 }
 
-void check_stability_verdict(const GateCase& gate_case, const StabilityVerdictDemand& demand,
+void check_stability_verdict(const GateCase& gate_case, const Chosen<StabilityVerdictDemand>& chosen,
                              const CaseChecks& checks) {
+  const StabilityVerdictDemand& demand = *chosen.demand;
+  remember(gate_case, "stability_verdict", demand.line, chosen.named, !gate_case.stability.empty(),
+           "stability row", checks);
   Tally tally(gate_case, "stability_verdict", demand.line);
   for (const StabilityRow* row : gate_case.stability) {
     const bool met = row->verdict == demand.verdict;
@@ -220,15 +228,16 @@ void Tally::finish(std::vector<Finding>& findings) const {
 }
 
 void check_demands(const GateCase& gate_case, const Demands& demands, const CaseChecks& checks) {
-  if (demands.status && !demands.status.demand->off) check_status(gate_case, demands.status, checks);
+  if (demands.status && !demands.status.demand->off && !gate_case.executed.empty())
+    check_status(gate_case, demands.status, checks);
   if (demands.order && !demands.order.demand->off && !gate_case.executed.empty())
     check_order(gate_case, demands.order, checks);
   if (demands.error && !gate_case.executed.empty()) check_error(gate_case, demands.error, checks);
   if (demands.drift && !gate_case.executed.empty()) check_drift(gate_case, demands.drift, checks);
   if (demands.stability && !demands.stability.demand->off)
-    check_stability(gate_case, *demands.stability.demand, checks);
+    check_stability(gate_case, demands.stability, checks);
   if (demands.stability_verdict && !demands.stability_verdict.demand->off)
-    check_stability_verdict(gate_case, *demands.stability_verdict.demand, checks);
+    check_stability_verdict(gate_case, demands.stability_verdict, checks);
 }
 
 }  // namespace odemark

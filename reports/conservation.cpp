@@ -9,6 +9,7 @@
 #include <set>
 
 #include "reports/format.hpp"
+#include "reports/work_curves.hpp"
 
 namespace odemark {
 namespace {
@@ -53,7 +54,7 @@ double worst_drift(const Row& row) {
 Cell drift_cell(const Row& row, const std::string& name) {
   if (row.status != "reached_end") return {row.status, Status::fail, 1e300};
   const double drift = drift_of(row, name);
-  return number_cell(drift, scientific(drift, 2));
+  return number_cell(rounded(drift, 3), scientific(drift, 2));
 }
 
 double shared_dt(const std::vector<const Row*>& rows) { return rows.empty() ? absent : *rows.front()->dt; }
@@ -84,7 +85,7 @@ Table drift_table(const std::vector<Row>& rows, const std::string& problem, doub
     std::vector<Cell> line{{row->method}, {std::to_string(row->order), Status::plain, row->order}};
     for (const auto& name : names) line.push_back(drift_cell(*row, name));
     const double error = row->errors ? row->errors->scaled : absent;
-    line.push_back(number_cell(error, scientific(error, 2)));
+    line.push_back(number_cell(rounded(error, 3), scientific(error, 2)));
     table.rows.push_back(std::move(line));
   }
   return table;
@@ -110,9 +111,9 @@ Table oscillation_table(const std::vector<Row>& rows, const std::string& problem
     const double amplitude = *row->errors->amplitude, phase = row->errors->phase.value_or(absent);
     const double growth = std::log1p(amplitude) / row->t_end;
     table.rows.push_back({{row->method},
-                          number_cell(amplitude, scientific(amplitude, 2)),
-                          number_cell(growth, scientific(growth, 2)),
-                          number_cell(phase, scientific(phase, 2)),
+                          number_cell(rounded(amplitude, 3), scientific(amplitude, 2)),
+                          number_cell(rounded(growth, 3), scientific(growth, 2)),
+                          number_cell(rounded(phase, 3), scientific(phase, 2)),
                           {phase > 0   ? "runs fast"
                            : phase < 0 ? "runs slow"
                                        : "",

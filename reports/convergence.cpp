@@ -20,7 +20,7 @@ Series dt_series(const WorkCurve& curve, const Palette& palette, Shown shown) {
   Series series{curve.label, curve.label, curve.family, {}, palette.style_of(curve.method)};
   if (shown == Shown::all) series.style.marker = Marker::none;
   for (const CurvePoint& p : curve.points) {
-    Point point{p.control, p.error, p.failed, p.failed ? p.status : ""};
+    Point point{rounded(p.control), rounded(p.error), p.failed, p.failed ? p.status : ""};
     series.points.push_back(std::move(point));
   }
   return series;
@@ -38,7 +38,8 @@ std::string slopes_sentence(const std::vector<ObservedOrder>& orders, const Char
 
 void add_guides(Chart& chart, const ProblemCurves& problem, const ProblemCard* card) {
   if (problem.floor > 0)
-    chart.bands.push_back({.direction = Direction::horizontal, .high = problem.floor, .label = "round-off"});
+    chart.bands.push_back(
+        {.direction = Direction::horizontal, .high = problem.floor, .label = "round-off floor"});
   double low = infinity, high = 0;
   for (const Series& series : chart.series)
     for (const Point& p : series.points) low = std::min(low, p.x), high = std::max(high, p.x);
@@ -57,7 +58,7 @@ std::vector<std::string> in_order(const std::vector<ObservedOrder>& orders, std:
 
 Cell slope_cell(const ObservedOrder& order) {
   if (!order.slope) return {std::string(no_value), Status::muted};
-  return {fmt::format("{:.2f}", *order.slope), status_of(order.verdict), *order.slope};
+  return {fmt::format("{:.2f}", *order.slope), status_of(order.verdict), rounded(*order.slope, 4)};
 }
 
 }  // namespace
@@ -75,11 +76,11 @@ Status status_of(OrderVerdict verdict) {
 Chart error_by_dt(const ProblemCurves& problem, const Palette& palette, Shown shown,
                   const std::vector<ObservedOrder>& orders, const ProblemCard* card) {
   const bool all = shown == Shown::all;
-  Chart chart{.id = problem.problem + (all ? "-error-dt-all" : "-error-dt"),
+  Chart chart{.id = problem.problem + (all ? "-dt-all" : "-dt"),
               .title = problem.problem + (all ? ": error against dt, every method" : ": error against dt"),
               .caption = ""};
   chart.x = {.label = "dt [s]", .scale = Scale::log10};
-  chart.y = {.label = "error at the end, scaled", .scale = Scale::log10};
+  chart.y = {.label = "scaled error", .scale = Scale::log10};
   const auto chosen = best_of_family(problem, true);
   for (std::size_t i = 0; i < problem.curves.size(); ++i)
     if (!problem.curves[i].adaptive && (all || chosen.contains(i)))

@@ -53,12 +53,15 @@ struct Window {
   std::size_t first = 0, count = 0;  // rungs
 };
 
+constexpr double least_slope = 0.25;  // flatter, or rising as dt falls, is round-off and no convergence
+
 /// The longest run of usable rungs whose neighbouring slopes agree; of equal ones that of the smallest dt.
 Window find_window(const std::vector<Rung>& rungs, const OrderOptions& options) {
   Window best;
   for (std::size_t first = 0; first < rungs.size(); ++first) {
     std::size_t end = first;
     while (end < rungs.size() && rungs[end].usable) {
+      if (end > first && !(local_slope(rungs[end - 1], rungs[end]) >= least_slope)) break;
       if (end >= first + 2 && !(std::abs(local_slope(rungs[end - 2], rungs[end - 1]) -
                                          local_slope(rungs[end - 1], rungs[end])) <= options.slope_scatter))
         break;
@@ -105,7 +108,8 @@ bool approaches(const ObservedOrder& order, const Window& window) {
 std::string why_inconclusive(const ObservedOrder& order, double largest_error) {
   const std::string gaps = order.gaps ? fmt::format(", {} runs gave no error", order.gaps) : "";
   if (order.usable >= 3)
-    return fmt::format("neighbouring slopes do not agree on any part of the ladder{}", gaps);
+    return fmt::format("on no part of the ladder does the error fall with neighbouring slopes that agree{}",
+                       gaps);
   const auto above = std::count_if(order.rungs.begin(), order.rungs.end(),
                                    [&](const Rung& r) { return !r.usable && r.error > largest_error; });
   const auto below = static_cast<long>(order.rungs.size()) - order.usable - above;

@@ -12,6 +12,7 @@
 
 #include "reports/format.hpp"
 #include "reports/palette.hpp"
+#include "reports/work_curves.hpp"
 
 namespace odemark {
 namespace {
@@ -116,7 +117,7 @@ Chart precision_chart(const std::vector<ObservedOrder>& orders, const std::strin
               .title = problem + ": error against dt in every number type",
               .caption = ""};
   chart.x = {.label = "dt [s]", .scale = Scale::log10};
-  chart.y = {.label = "error at the end, scaled", .scale = Scale::log10};
+  chart.y = {.label = "scaled error", .scale = Scale::log10};
   std::vector<PaletteMember> members;  // colour by method, marker by number type
   for (const auto& method : wanted)
     for (const NumberKind& kind : kinds)
@@ -130,7 +131,7 @@ Chart precision_chart(const std::vector<ObservedOrder>& orders, const std::strin
       Series series{label, std::string(kind.name), std::string(method), {}, palette.style_of(label)};
       series.style.filled = !kind.compensated;
       if (kind.compensated) series.style.line = Line::dotted;
-      for (const Rung& rung : order->rungs) series.points.push_back({rung.dt, rung.error});
+      for (const Rung& rung : order->rungs) series.points.push_back({rounded(rung.dt), rounded(rung.error)});
       chart.series.push_back(std::move(series));
     }
   }

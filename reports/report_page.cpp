@@ -2,11 +2,12 @@
 #include "reports/report_page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "reports/failures.hpp"
-#include "reports/format.hpp"
+#include "reports/markup.hpp"
 #include "reports/precision.hpp"
 #include "reports/stability_page.hpp"
 
@@ -62,13 +63,19 @@ Verdict report_verdict(const ReportData& data) {
   int failed = 0;
   for (const auto& [status, count] : failures_by_status(rows)) failed += count;
   const int disagreements = orders.fails + stability.differs;
+  std::vector<std::string> parts;
+  if (orders.fails) parts.push_back(fmt::format("{} of {} order claims", orders.fails, orders.total()));
+  if (stability.differs)
+    parts.push_back(
+        fmt::format("{} of {} stability limits", stability.differs, stability.agrees + stability.differs));
   Verdict verdict;
   verdict.status = disagreements ? Status::warn : Status::ok;
-  verdict.text = disagreements
-                     ? fmt::format("{} of {} claims of order and stability are not what was measured",
-                                   disagreements, orders.total() + stability.agrees + stability.differs)
-                     : "Every order and every stability limit that could be measured is as claimed";
-  verdict.text += fmt::format("; {} of {} runs reached the end.", runs - failed, runs);
+  verdict.text = disagreements ? fmt::format("{} {} not hold; whatever else could be measured is as claimed",
+                                             fmt::join(parts, " and "), disagreements == 1 ? "does" : "do")
+                               : std::string(
+                                     "Every order and stability limit that could be measured is as "
+                                     "claimed");
+  verdict.text += fmt::format(". {} of {} runs reached the end.", runs - failed, runs);
   if (orders.fails) verdict.links.push_back({"order claims that do not hold", "#failed-orders"});
   if (stability.differs) verdict.links.push_back({"limits that differ", "#stability-differs"});
   if (failed) verdict.links.push_back({"runs that did not reach the end", "#failures"});
@@ -77,16 +84,22 @@ Verdict report_verdict(const ReportData& data) {
   return verdict;
 }
 
-Page report_page(const ReportInput& input) {
+ReportData report_data(const ReportInput& input) {
   auto rows = main_rows(input.rows);
   auto problems = work_curves(rows);
   auto orders = observed_orders(rows);
-  const ReportData data{input,
-                        std::move(rows),
-                        std::move(problems),
-                        std::move(orders),
-                        precision_orders(input.rows),
-                        report_palette(input.pictures.methods, input.rows)};
+  return {input,
+          std::move(rows),
+          std::move(problems),
+          std::move(orders),
+          precision_orders(input.rows),
+          report_palette(input.pictures.methods, input.rows)};
+}
+
+std::string problem_page_name(const std::string& problem) { return "problems/" + safe_id(problem) + ".html"; }
+
+Page report_page(const ReportInput& input) {
+  const ReportData data = report_data(input);
   Page page;
   page.title = input.title.empty() ? "odemark report" : input.title;
   page.subtitle = subtitle(input.header);
@@ -94,21 +107,37 @@ Page report_page(const ReportInput& input) {
   page.badges = badges(data);
   page.sections.push_back(overview_section(data));
   if (!data.problems.empty()) page.sections.push_back(cheapest_section(data));
-  for (const ProblemCurves& problem : data.problems) page.sections.push_back(problem_section(data, problem));
+  const bool with_charts = data.problems.size() <= problems_on_one_page;
+  for (const ProblemCurves& problem : data.problems)
+    page.sections.push_back(problem_section(data, problem, with_charts, true));
   if (!data.orders.empty()) page.sections.push_back(orders_section(data));
   page.sections.push_back(stability_section(input.stability, input.pictures, data.palette));
   if (!data.precision.empty()) page.sections.push_back(precision_section(data));
   page.sections.push_back(conservation_section(data));
   page.sections.push_back(failures_section(data));
-  if (!data.problems.empty()) page.sections.push_back(every_method_section(data));
   page.sections.push_back(how_section(data));
   std::erase_if(page.sections, [](const Section& section) { return section.blocks.empty(); });
   for (const Section& section : page.sections) page.nav.push_back({section.heading, "#" + section.id});
   for (const Link& link : input.beside)
-    if (link.href == "chapter.html") page.nav.push_back(link);
+    if (link.href == "chapter.html") page.nav.push_back({"Chapter", link.href});
   page.footer =
       fmt::format("odemark {} · every number is in the files beside this page", input.header.version);
   return page;
+}
+
+std::vector<NamedPage> problem_pages(const ReportInput& input) {
+  const ReportData data = report_data(input);
+  std::vector<NamedPage> pages;
+  for (const ProblemCurves& problem : data.problems) {
+    Page page;
+    page.title = problem.problem;
+    page.subtitle = subtitle(input.header);
+    page.sections = {problem_section(data, problem, true, false), every_method_section(data, problem)};
+    page.nav = {{"← Report", "../report.html"}};
+    for (const Section& section : page.sections) page.nav.push_back({section.heading, "#" + section.id});
+    pages.push_back({problem_page_name(problem.problem), std::move(page)});
+  }
+  return pages;
 }
 
 }  // namespace odemark

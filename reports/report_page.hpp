@@ -23,9 +23,20 @@ struct ReportInput {
   bool cut = false;          // the results file ends in the middle of a line: an interrupted run
 };
 
-/// Sections: overview, cheapest, one per problem, orders, stability, precision, conservation, failures, every
-/// method, how it was measured. The same input gives the same page.
+/// Sections: overview, cheapest, one per problem, orders, stability, precision, conservation, failures, how
+/// it was measured. The same input gives the same page. With many problems each has its charts on a page of
+/// its own only.
 Page report_page(const ReportInput& input);
+
+struct NamedPage {
+  std::string name;  // "problems/oscillator.html"
+  Page page;
+};
+
+/// One page per problem: its section, and every method that was run on it.
+std::vector<NamedPage> problem_pages(const ReportInput& input);
+
+inline constexpr std::size_t problems_on_one_page = 12;
 
 /// What all sections are made from.
 struct ReportData {
@@ -36,17 +47,23 @@ struct ReportData {
   Palette palette;
 };
 
+ReportData report_data(const ReportInput& input);
+
 // Parts of the page.
 Verdict report_verdict(const ReportData& data);
 Section overview_section(const ReportData& data);
 Section cheapest_section(const ReportData& data);
-Section problem_section(const ReportData& data, const ProblemCurves& problem);
+/// `linked`: with a link to the page of the problem.
+Section problem_section(const ReportData& data, const ProblemCurves& problem, bool with_charts, bool linked);
 Section orders_section(const ReportData& data);
 Section precision_section(const ReportData& data);
 Section conservation_section(const ReportData& data);
 Section failures_section(const ReportData& data);
-Section every_method_section(const ReportData& data);
+Section every_method_section(const ReportData& data, const ProblemCurves& problem);
 Section how_section(const ReportData& data);
+
+/// Where the page of a problem is, seen from the report.
+std::string problem_page_name(const std::string& problem);
 
 /// Null where the registry of the report does not have it.
 const ProblemCard* find_card(const Pictures& pictures, const std::string& problem);

@@ -41,21 +41,30 @@ std::vector<std::pair<std::string, int>> winners(const ReportData& data, double 
 std::string winners_sentence(const ReportData& data, double error, Cost cost, const char* what) {
   const auto sorted = winners(data, error, cost);
   if (sorted.empty()) return "";
-  std::string text = fmt::format("{} to {}: ", what, scientific(error, 1));
+  std::string text = fmt::format("{} to an error of {}: ", what, target_text(error));
   for (std::size_t i = 0; i < sorted.size(); ++i)
-    text += fmt::format("{}{} on {}", i == 0 ? "" : ", ", sorted[i].first, sorted[i].second);
-  return text + (sorted.size() == 1 && sorted[0].second == 1 ? " problem." : " problems.");
+    text += fmt::format("{}{} ({}{})", i == 0 ? "" : ", ", sorted[i].first, sorted[i].second,
+                        i > 0                   ? ""
+                        : sorted[i].second == 1 ? " problem"
+                                                : " problems");
+  return text + ".";
 }
 
 void add_answer(Section& section, const std::string& text) {
   if (!text.empty()) section.blocks.push_back(Paragraph{text});
 }
 
-Table problem_facts(const ProblemCard& card) {
-  Table table{card.id + "-facts", "", "", {{"what"}, {"value"}}, {}};
+Table problem_facts(const ProblemCard* known, const std::string& problem, bool linked) {
+  Table table{problem + "-facts", "", "", {{"the problem"}, {""}}, {}};
   const auto add = [&](const char* what, const std::string& value) {
     if (!value.empty()) table.rows.push_back({{what}, {value}});
   };
+  if (linked)
+    table.rows.push_back(
+        {{"every method"},
+         {"all curves and costs on one page", Status::plain, {}, problem_page_name(problem)}});
+  if (!known) return table;
+  const ProblemCard& card = *known;
   add("equations", card.equations);
   std::string parameters;
   for (const auto& p : card.parameters) parameters += (parameters.empty() ? "" : ",  ") + p;
@@ -93,29 +102,31 @@ Section cheapest_section(const ReportData& data) {
   Section section{"cheapest", "Cheapest", {}};
   const auto rough = winners(data, 1e-2, Cost::evaluations), fine = winners(data, 1e-9, Cost::evaluations);
   if (!rough.empty() && !fine.empty())
-    add_answer(
-        section,
-        fmt::format("For an error of 1e-2 {} needs the fewest evaluations most often ({} of {} problems), "
-                    "for 1e-9 it is {} ({}).",
-                    rough[0].first, rough[0].second, data.problems.size(), fine[0].first, fine[0].second));
-  section.blocks.push_back(cheapest_table(data.problems));
+    add_answer(section, fmt::format("For an error of {} {} needs the fewest evaluations most often ({} of {} "
+                                    "problems), for {} it is {} ({}).",
+                                    target_text(1e-2), rough[0].first, rough[0].second, data.problems.size(),
+                                    target_text(1e-9), fine[0].first, fine[0].second));
+  section.blocks.push_back(cheapest_table(data.problems, Cost::evaluations));
+  const bool timed =
+      std::any_of(data.problems.begin(), data.problems.end(), [](const ProblemCurves& p) { return p.timed; });
+  if (timed) section.blocks.push_back(cheapest_table(data.problems, Cost::time));
   return section;
 }
 
-Section problem_section(const ReportData& data, const ProblemCurves& problem) {
+Section problem_section(const ReportData& data, const ProblemCurves& problem, bool with_charts, bool linked) {
   const ProblemCard* card = find_card(data.input.pictures, problem.problem);
   Section section{"problem-" + problem.problem, problem.problem, {}};
   add_answer(section, answer(problem));
-  if (card) {
-    add_answer(section, fmt::format("{}{}{}. {} s.", card->title, card->about.empty() ? "" : ": ",
-                                    card->about, compact(card->t_end, 4)));
-    section.blocks.push_back(problem_facts(*card));
-  }
+  if (card)
+    add_answer(section, fmt::format("{}{}{}. Simulated for {} s.", card->title,
+                                    card->about.empty() ? "" : ": ", card->about, compact(card->t_end, 4)));
+  section.blocks.push_back(problem_facts(card, problem.problem, linked));
+  if (!with_charts) return section;
   const auto add_chart = [&](Chart chart) {
     if (!chart.series.empty()) section.blocks.push_back(std::move(chart));
   };
   if (const Scene* scene = find_scene(data.input.pictures, problem.problem))
-    add_chart(trajectory_chart(*scene, data.palette));
+    add_chart(trajectory_chart(*scene));
   add_chart(error_by_dt(problem, data.palette, Shown::best_of_family, data.orders, card));
   add_chart(error_by_cost(problem, data.palette, Cost::evaluations));
   if (problem.timed) {
@@ -182,15 +193,12 @@ Section failures_section(const ReportData& data) {
   return section;
 }
 
-Section every_method_section(const ReportData& data) {
+Section every_method_section(const ReportData& data, const ProblemCurves& problem) {
   Section section{"every-method", "Every method", {}};
-  add_answer(section, "The charts above show the best of each family. Here is everything that was run.");
-  for (const ProblemCurves& problem : data.problems) {
-    Chart chart = error_by_dt(problem, data.palette, Shown::all, data.orders,
-                              find_card(data.input.pictures, problem.problem));
-    if (!chart.series.empty()) section.blocks.push_back(std::move(chart));
-    section.blocks.push_back(method_table(problem, data.orders));
-  }
+  Chart chart = error_by_dt(problem, data.palette, Shown::all, data.orders,
+                            find_card(data.input.pictures, problem.problem));
+  if (!chart.series.empty()) section.blocks.push_back(std::move(chart));
+  section.blocks.push_back(method_table(problem, data.orders));
   return section;
 }
 

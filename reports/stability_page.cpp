@@ -10,25 +10,15 @@
 
 #include "reports/format.hpp"
 #include "reports/verdict.hpp"
+#include "reports/work_curves.hpp"
 
 namespace odemark {
 namespace {
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-
 constexpr double agreement = 1e-6;  // relative, beside the resolution of the measurement
 
-StabilityMatch match_of(const StabilityRow& row) {
-  const double theory = row.theory_verdict == "unlimited" ? std::numeric_limits<double>::infinity()
-                                                          : row.theory.value_or(absent);
-  return judge_stability(row.verdict, row.measured.value_or(absent), theory, row.resolution, agreement);
-}
-
-Status status_of(StabilityMatch match) {
-  return match == StabilityMatch::agrees    ? Status::ok
-         : match == StabilityMatch::differs ? Status::fail
-                                            : Status::plain;
-}
+StabilityMatch match_of(const StabilityRow& row) { return judge_stability(row, agreement); }
 
 std::string growth_text(double per_second) {
   if (!std::isfinite(per_second)) return std::string(no_value);
@@ -38,7 +28,7 @@ std::string growth_text(double per_second) {
 
 Cell verdict_cell(const StabilityRow& row) {
   if (row.verdict == "limit")
-    return number_cell(row.measured.value_or(absent), compact(row.measured.value_or(absent), 4));
+    return number_cell(rounded(row.measured.value_or(absent), 4), compact(row.measured.value_or(absent), 4));
   if (row.verdict == "unstable") return {"none", Status::warn, 0};
   if (row.verdict == "unlimited") return {"no limit", Status::plain, 1e300};
   return {std::string(no_value), Status::muted};
@@ -92,19 +82,19 @@ std::vector<Cell> limit_line(const StabilityRow& row, std::string name) {
   std::vector<Cell> line{{std::move(name)}, measured_cell(row), theory_cell(row)};
   line.push_back(row.difference && row.verdict == "limit"
                      ? Cell{within_resolution(*row.difference, row.resolution, 2), Status::plain,
-                            std::abs(*row.difference)}
+                            rounded(std::abs(*row.difference), 2)}
                      : Cell{std::string(no_value), Status::muted});
   line.push_back(match == StabilityMatch::agrees    ? Cell{"yes", Status::ok}
                  : match == StabilityMatch::differs ? Cell{"no", Status::fail}
                                                     : Cell{"no theory", Status::muted});
   const bool limited = row.verdict == "limit" && row.measured;
-  line.push_back(
-      limited ? number_cell(*row.measured * row.fastest_rate, compact(*row.measured * row.fastest_rate, 4))
-              : Cell{std::string(no_value), Status::muted});
+  line.push_back(limited ? number_cell(rounded(*row.measured * row.fastest_rate, 4),
+                                       compact(*row.measured * row.fastest_rate, 4))
+                         : Cell{std::string(no_value), Status::muted});
   line.push_back({bands_text(row)});
-  line.push_back(row.growth_per_second
-                     ? Cell{growth_text(*row.growth_per_second), Status::warn, *row.growth_per_second}
-                     : Cell{"", Status::muted});
+  line.push_back(row.growth_per_second ? Cell{growth_text(*row.growth_per_second), Status::warn,
+                                              rounded(*row.growth_per_second)}
+                                       : Cell{"", Status::muted});
   return line;
 }
 
@@ -186,7 +176,7 @@ Table damping_table(const Pictures& pictures) {
       row.push_back({std::abs(off) < 1e-3 && off != 0
                          ? fmt::format("1 {} {}", off < 0 ? "−" : "+", scientific(std::abs(off), 1))
                          : compact(r, 3),
-                     off > 1e-12 ? Status::warn : Status::plain, r});
+                     off > 1e-12 ? Status::warn : Status::plain, rounded(r, 4)});
     }
     table.rows.push_back(std::move(row));
   }

@@ -170,8 +170,7 @@ Rule Reader::rule(const toml::node& node) const {
       rule.stability = stability(value);
     else if (key == "stability_verdict")
       rule.stability_verdict = StabilityVerdictDemand{
-          line, is_off(value),
-          one_of(value, "stability_verdict", {"limit", "unstable", "unlimited", "off"})};
+          line, is_off(value), one_of(value, "stability_verdict", {"limit", "unstable", "unlimited", "off"})};
     else
       unknown(key, "a rule",
               "case, provider, scalar, compensated, skip, reason, until, order, error, drift, status, "

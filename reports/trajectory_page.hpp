@@ -3,11 +3,10 @@
 
 #include "bench/data/pictures.hpp"
 #include "reports/chart.hpp"
-#include "reports/palette.hpp"
 
 namespace odemark {
 
 /// The exact curve and the runs of a scene; a run that leaves the picture is cut where it leaves.
-Chart trajectory_chart(const Scene& scene, const Palette& palette);
+Chart trajectory_chart(const Scene& scene);
 
 }  // namespace odemark

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "bench/data/stability.hpp"
@@ -54,15 +56,19 @@ inline Change judge_time(double now, double before, double now_mad, double befor
 
 enum class StabilityMatch { agrees, differs, nothing_to_compare };
 
-/// A measured stability limit against theory, which may differ by a part of it and the resolution.
+/// A measured stability limit against theory, strict or through the tolerance of the measurement; a limit may
+/// differ by a part of it and the resolution.
 inline StabilityMatch judge_stability(const StabilityRow& row, double relative) {
-  const auto agree = [](bool yes) { return yes ? StabilityMatch::agrees : StabilityMatch::differs; };
+  const auto agrees = [&](const std::string& verdict, const std::optional<double>& limit) {
+    if (verdict.empty() || row.verdict != verdict) return false;
+    if (verdict != "limit") return true;
+    return row.measured && limit && std::abs(*row.measured - *limit) <= relative * *limit + row.resolution;
+  };
   if (!row.failure.empty()) return StabilityMatch::differs;
   if (row.theory_verdict.empty() || row.verdict == "blank") return StabilityMatch::nothing_to_compare;
-  if (row.verdict != row.theory_verdict) return StabilityMatch::differs;
-  if (row.verdict != "limit") return StabilityMatch::agrees;
-  if (!row.measured || !row.theory) return StabilityMatch::differs;
-  return agree(std::abs(*row.measured - *row.theory) <= relative * *row.theory + row.resolution);
+  return agrees(row.theory_verdict, row.theory) || agrees(row.theory_as_seen_verdict, row.theory_as_seen)
+             ? StabilityMatch::agrees
+             : StabilityMatch::differs;
 }
 
 }  // namespace odemark

@@ -1,9 +1,12 @@
 // Which row belongs to which curve, and which curves stand for a family.
 #include "reports/work_curves.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -16,6 +19,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 4> landmarks{"explicit_euler", "semi_implicit_euler", "heun", "rk4"};
+constexpr std::size_t families_shown = 6;
 
 double floor_of(const Row& row) {
   return std::max({row.truth_floor, row.sensitivity, unit_roundoff(row.scalar)});
@@ -122,7 +126,8 @@ std::string family_of(const std::string& kind, const std::string& provider) {
   if (provider == "odeint") return "Boost.odeint";
   if (provider != "odemark" && !provider.empty()) return provider;
   if (kind == "velocity Verlet" || kind == "splitting") return "splitting and Verlet";
-  if (kind == "step doubling" || kind == "chapter listing") return "step-doubling Euler, listings";
+  if (kind == "step doubling" || kind == "chapter listing" || kind == "step function")
+    return "listings, step doubling";
   return kind;
 }
 
@@ -131,6 +136,10 @@ Palette report_palette(const std::vector<MethodCard>& methods, const std::vector
   for (const MethodCard& m : methods) members.push_back({m.id, family_of(m.kind, m.provider)});
   for (const Row& row : rows) members.push_back({row.method, family_of(row.kind, row.provider)});
   return Palette(members);
+}
+
+double rounded(double x, int digits) {
+  return std::isfinite(x) ? std::strtod(fmt::format("{:.{}g}", x, digits).c_str(), nullptr) : x;
 }
 
 double smallest_error(const WorkCurve& curve) {
@@ -162,7 +171,12 @@ std::set<std::size_t> best_of_family(const ProblemCurves& problem, bool fixed_st
     if (now.evaluations < old.evaluations || (now.evaluations == old.evaluations && now.error < old.error))
       at->second = now;
   }
-  for (const auto& [family, winner] : best) shown.insert(winner.index);
+  std::vector<Best> families;
+  for (const auto& [family, winner] : best) families.push_back(winner);
+  std::stable_sort(families.begin(), families.end(), [](const Best& a, const Best& b) {
+    return std::tie(a.evaluations, a.error) < std::tie(b.evaluations, b.error);
+  });
+  for (std::size_t i = 0; i < std::min(families.size(), families_shown); ++i) shown.insert(families[i].index);
   return shown;
 }
 

@@ -59,10 +59,14 @@ std::string family_of(const std::string& kind, const std::string& provider);
 /// One look per method for a whole report: methods of the registry first, then others that have rows.
 Palette report_palette(const std::vector<MethodCard>& methods, const std::vector<Row>& rows);
 
-/// Shown by default: of every family the curve with the fewest evaluations to `error` (or, if none gets
-/// there, the smallest error), and the four methods that everybody knows. Indices into problem.curves.
+/// Shown by default: the four methods that everybody knows, and of each of the best six families the curve
+/// with the fewest evaluations to `error` (or, if none gets there, the smallest error). Indices into
+/// problem.curves.
 std::set<std::size_t> best_of_family(const ProblemCurves& problem, bool fixed_steps_only,
                                      double error = 1e-6);
+
+/// To the digits that a picture or a sorting script needs: a page holds thousands of numbers.
+double rounded(double x, int digits = 5);
 
 /// The smallest error of a curve; NaN if it has none.
 double smallest_error(const WorkCurve& curve);

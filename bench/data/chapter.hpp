@@ -2,6 +2,7 @@
 // Plain data, all of it computed by bench/chapter*.cpp.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,9 +73,10 @@ struct FaceRun {
 
 struct GrowthPoint {
   std::string method{};
-  double dt = 0;                                       // s
-  double measured = 0, theory = 0;                     // d ln(amplitude) / dt, 1/s
-  double resolution = 0;                               // of `measured`
+  double dt = 0;                       // s
+  double measured = 0, theory = 0;     // d ln(amplitude) / dt, 1/s
+  double resolution = 0;               // of `measured`
+  std::optional<double> doubles_in{};  // s, where it grows beyond the resolution
 };
 
 /// A ship in single precision: below some dt the increment of the speed is lost and it stops accelerating.
@@ -82,8 +84,9 @@ struct Stall {
   double dt = 0;
   long steps = 0;
   double v_float = 0, v_double = 0, exact = 0;  // m/s at the end
-  std::optional<double> stalled_from{};           // s: no step after it changed the speed
-  double dv_of_stall = 0;  // m/s: distance from the limiting speed at which half an ulp swallows the increment
+  std::optional<double> stalled_from{};         // s: no step after it changed the speed
+  double dv_of_stall =
+      0;  // m/s: distance from the limiting speed at which half an ulp swallows the increment
 };
 
 // claims 3 and 6
@@ -97,7 +100,7 @@ struct ErrorCurve {
   std::string problem{}, method{}, scalar{};
   std::vector<ErrorPoint> points{};  // from the largest dt to the smallest
   ErrorPoint best{};                 // the smallest error
-  bool minimum_inside = false;     // the error rises again below best.dt, by a factor of two or more
+  bool minimum_inside = false;       // the error rises again below best.dt, by a factor of two or more
 };
 
 /// One scene clock in single precision after `duration` of steps of dt.
@@ -109,9 +112,9 @@ struct ClockLine {
 
 struct Crossover {
   std::string problem{}, cheap{}, dear{};  // below `error` the dear method costs less
-  std::optional<double> error{};       // absent: one of them costs less over the whole common range
+  std::optional<double> error{};           // absent: one of them costs less over the whole common range
   std::optional<double> evaluations{};
-  std::string winner{};                // where there is no crossover
+  std::string winner{};  // where there is no crossover
 };
 
 struct CostLine {
@@ -130,11 +133,12 @@ struct SameStep {
 
 struct LimitLine {
   std::string problem{}, method{};
-  int evaluations = 0;           // per step, counted
-  std::optional<double> dt{};      // s; absent: unstable at every dt that was tried
-  std::optional<double> theory{};  // s, from the coefficients
-  double rate = 0;               // 1/s: rate * dt is the usual number
-  double tried_down_to = 0;      // s
+  int evaluations = 0;                           // per step, counted
+  std::optional<double> dt{};                    // s; absent: unstable at every dt that was tried
+  std::optional<double> theory{};                // s, from the coefficients
+  double rate = 0;                               // 1/s
+  double number = 0, number_per_evaluation = 0;  // rate * dt, and that per evaluation; 0 where dt is absent
+  double tried_down_to = 0;                      // s
 };
 
 // claim 5
@@ -148,12 +152,14 @@ struct Halving {
 
 struct DoublingLine {
   double z = 0, steps_per_period = 0;  // z = w dt
+  double heun_seconds_at_60 = 0;       // s until the amplitude doubles if the steps are 1/60 s
   Halving heun_doubles{}, rk4_halves{};
   double heun_amplitude = 0, heun_amplitude_theory = 0;  // factor per period
   double rk4_amplitude = 0, rk4_amplitude_theory = 0;
-  double heun_phase = 0, heun_phase_theory = 0;          // rad per period
+  double heun_phase = 0, heun_phase_theory = 0;  // rad per period
   double rk4_phase = 0, rk4_phase_theory = 0;
-  std::optional<double> differ_1_percent{}, differ_10_percent{};  // periods until the two displacements are apart
+  std::optional<double> differ_1_percent{},
+      differ_10_percent{};  // periods until the two displacements are apart
 };
 
 struct EqualCostLine {
@@ -172,9 +178,9 @@ struct MemoryLine {
 
 struct AdaptiveRun {
   std::string problem{}, method{};
-  double tolerance = 0;         // of the speed, in its unit
+  double tolerance = 0;  // of the speed, in its unit
   double nominal = 0, t_end = 0;
-  bool reached_end = false;
+  bool reached_end = false, has_switch = false;  // has_switch: the force jumps at an instant
   long steps = 0, rejected = 0, evaluations = 0;
   double smallest_dt = 0, largest_dt = 0;
   double worst_estimate = 0;  // largest |V1 - V2| of a step as taken, over the tolerance
@@ -183,28 +189,34 @@ struct AdaptiveRun {
   double worst_position = 0;  // largest local error of the position, m: nobody controls it in the listing
   double global_error = 0;    // of the speed: largest over the run, over the tolerance
   double clock_lag = 0;       // s: nominal clock - simulated time when the nominal clock reads t_end
-  double zero_estimates = 0;  // share of steps with e_t = 0
+  double zero_estimates = 0;  // share of the steps in which |V1 - V2| is 0 but for rounding
   std::optional<double> energy_ratio{};  // end over start
-  std::vector<double> t{}, local{};        // local error over the tolerance, per step
+  std::vector<double> t{}, local{};      // local error over the tolerance, per step
 };
 
 /// e_to / 0 as the printed listing divides.
 struct ZeroEstimate {
-  double wished = 0;      // dt * sqrt(e_to / 0)
+  double wished = 0;  // dt * sqrt(e_to / 0)
   bool step_kept = false;
   double wished_both = 0;  // dt * sqrt(0 / 0)
   bool step_kept_both = false;
   AdaptiveRun at_limit{};  // started at the limiting speed: every e_t is 0
 };
 
+/// The chapter's first listing is semi-implicit: what that does on the undamped spring, where Euler grows.
+struct ListingOnSpring {
+  double dt = 0, periods = 0, listing_amplitude = 0, euler_amplitude = 0;  // largest over the run, over start
+};
+
 struct ChapterData {
-  Answer answers[7] = {};  // to the claims, in the book's order
+  std::array<Answer, 7> answers{};  // to the claims, in the book's order
 
   std::vector<ChapterTable> tables{};  // double, float
   std::vector<ChapterFigure> figures{};
   std::vector<LocalError> local_errors{};
   double oscillator_k = 0, oscillator_m = 0, oscillator_dt = 0;  // N/m, kg, s of figures 7-5 and 7-8
   std::vector<ListingHash> listing{};
+  ListingOnSpring listing_on_spring{};
 
   std::vector<FaceRun> faces{};
   std::vector<GrowthPoint> growth{};

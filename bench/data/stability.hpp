@@ -18,6 +18,12 @@ struct StabilityRow {
   std::string verdict, reason;
   /// The same words from the coefficients alone; "" where theory says nothing, for `theory_reason`.
   std::string theory_verdict, theory_reason;
+  /// The same through the tolerance of the measurement, which growth below 1e-12 a step passes as stable
+  /// (float: 3e-6). Filled only where the measurement differs from the strict theory; then it has to agree
+  /// with this.
+  std::string theory_as_seen_verdict;
+  std::optional<double> theory_as_seen;  // s
+  std::vector<std::pair<double, double>> theory_as_seen_bands;
   /// What must never happen: a stage of a linear problem that could not be solved, a NaN. "" when all is
   /// well.
   std::string failure;

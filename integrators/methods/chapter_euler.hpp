@@ -7,9 +7,8 @@ namespace detail {
 struct ChapterEuler {
   /// F, then A = F / m, then the new speed from the old state, then the position with the new speed.
   template <SecondOrderSystem P, class Real, class Y>
-  void operator()(const P& problem, Real t, Y& y, Real h) const {
+  void operator()(const P& problem, Real t, Y& y, Real h, Y& a) const {
     const std::size_t half = size_of(y) / 2;
-    Y a = blank_like(y);
     problem.acceleration(t, y, a.data());
     for (std::size_t i = 0; i < half; ++i) {
       const Real v_new = y.data()[half + i] + a.data()[i] * h;

@@ -6,11 +6,10 @@
 namespace odemark::contestant {
 namespace {
 
-#define ODEMARK_ARKODE_GRID "Grid values: its Hermite interpolant. "
+#define ODEMARK_ARKODE_GRID "Grid values: its Hermite interpolant. In fixed steps its clock adds up h. "
 #define ODEMARK_ARKODE_NEWTON                                                                                \
-  "Newton constant 1e-5 instead of 0.1 and up to 10 iterations instead of 3: with the defaults it takes up " \
-  "to "                                                                                                      \
-  "two hundred times as many steps. Dense Jacobian, the problem's where it has one. "
+  "Newton constant 1e-5 instead of 0.1 and up to 10 iterations instead of 3: Robertson's problem takes 126 " \
+  "steps instead of 7291. Dense Jacobian, the problem's where it has one. "
 
 constexpr std::string_view arkode = "D. R. Reynolds et al., ACM Trans. Math. Softw. 49 (2023) 19";
 constexpr std::string_view kutta = "W. Kutta, Z. Math. Phys. 46 (1901) 435-453";
@@ -67,8 +66,8 @@ Theory theory_of(const ArkodeRow& row) {
   std::array<std::array<Coefficient, Stages>, Stages> a{};
   std::array<Coefficient, Stages> b{};
   for (std::size_t i = 0; i < Stages; ++i) {
-    b[i] = table->b[i];
-    for (std::size_t j = 0; j < Stages; ++j) a[i][j] = table->A[i][j];
+    b[i] = Coefficient(table->b[i]);
+    for (std::size_t j = 0; j < Stages; ++j) a[i][j] = Coefficient(table->A[i][j]);
   }
   return runge_kutta_theory(a, b);
 }

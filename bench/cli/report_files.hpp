@@ -1,0 +1,17 @@
+// The files of a report, from plain data. Apart from report.cpp, which sees methods and problems.
+#pragma once
+
+#include <string>
+
+#include "bench/data/chapter.hpp"
+#include "bench/data/pictures.hpp"
+#include "bench/json_line.hpp"
+
+namespace odemark {
+
+/// Writes report.html, chapter.html, report.md, svg/ and csv/ into the folder of the results. Returns the
+/// sentence to print. Throws CannotWrite.
+std::string write_report(Results results, Pictures pictures, const ChapterData& chapter,
+                         const std::string& folder, const std::string& title);
+
+}  // namespace odemark

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Files that cannot be read or written: one sentence each, nothing lost, nothing half written.
+. "$(dirname "$0")/common.sh"
+plan=(--methods rk4 --problems oscillator --no-timing --no-stability -q)
+
+run run "${plan[@]}" -o "$work/good"
+expect_code 0
+results="$work/good/results.jsonl"
+
+# of another schema, and garbage, at a line that is named
+mkdir "$work/other" "$work/garbage" "$work/empty"
+sed '1s/"schema":1/"schema":99/' "$results" >"$work/other/results.jsonl"
+sed '3s/.*/this is no row/' "$results" >"$work/garbage/results.jsonl"
+: >"$work/empty/results.jsonl"
+for folder in other garbage empty; do cp -r "$work/$folder" "$work/$folder.kept"; done
+refused 2 'schema 99, this odemark reads schema 1' run "${plan[@]}" -o "$work/other" --resume
+refused 2 'results.jsonl:3: not a results line' run "${plan[@]}" -o "$work/garbage" --resume
+refused 2 'empty, not a results file' run "${plan[@]}" -o "$work/empty" --resume
+for folder in other garbage empty; do
+  cmp -s "$work/$folder/results.jsonl" "$work/$folder.kept/results.jsonl" || fail "a refused file was changed: $folder"
+done
+
+refused 2 'cannot read' report -o "$work/nowhere"
+refused 2 'schema 99' report -o "$work/other"
+refused 2 'not a results line' report -o "$work/garbage"
+refused 2 'cannot read' compare "$results" "$work/nowhere.jsonl"
+
+# a folder that cannot be: below a file
+: >"$work/file"
+refused 2 'cannot write into' run "${plan[@]}" -o "$work/file/below"
+if [ "$(id -u)" != 0 ]; then
+  mkdir -m 555 "$work/closed"
+  refused 2 'cannot write into' run "${plan[@]}" -o "$work/closed"
+fi
+
+# a full disk
+if [ -e /dev/full ]; then
+  mkdir "$work/full"
+  ln -s /dev/full "$work/full/results.jsonl"
+  run run "${plan[@]}" -o "$work/full" --resume
+  [ "$code" != 0 ] || fail "$said: a full disk is no success"
+fi
+if [ "$(id -u)" = 0 ] && mkdir "$work/tiny" && mount -t tmpfs -o size=8k none "$work/tiny" 2>/dev/null; then
+  refused 4 'cannot write' run "${plan[@]}" -o "$work/tiny"
+  expect_error 'No space left'
+  umount "$work/tiny"
+fi
+finish

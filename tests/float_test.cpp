@@ -1,0 +1,150 @@
+// A run in float computes in float only, wider types go further down, and compensated sums lower the floor.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "integrators/catalogue.hpp"
+#include "integrators/tape.hpp"
+#include "tests/support/probe_families.hpp"
+#include "tests/support/runs.hpp"
+#include "tests/support/strict_float.hpp"
+
+namespace odemark {
+namespace {
+
+template <class F>
+struct StrictSystem {
+  using State = std::vector<StrictFloat>;
+  F family;
+  void rhs(StrictFloat t, const State& y, State& dydt) const { family.rhs(t, y.data(), dydt.data()); }
+  void acceleration(StrictFloat t, const State& y, StrictFloat* a) const { family.acceleration(t, y.data(), a); }
+  bool force_depends_on_velocity() const { return F::force_depends_on_velocity; }
+  Tape<StrictFloat> tape() const { return record<StrictFloat>(family, F::size); }
+  void count_series() const {}
+};
+
+/// The loop of integrate() on a stepper that knows no other number than StrictFloat.
+template <const auto& method, class F>
+std::vector<float> strict_end(const F& family, int steps) {
+  using P = StrictSystem<F>;
+  const P system{family};
+  typename P::State y(F::size);
+  family.initial(y.data());
+  auto next = y, error = y;
+  StepperOf<method, P> stepper(system, y);
+  stepper.start();
+  const StrictFloat h = StrictFloat(family.t_end) / StrictFloat(steps);
+  for (int n = 0; n < steps; ++n) {
+    EXPECT_EQ(stepper.attempt(StrictFloat(n) * h, y, h, next, error), StepStatus::ok);
+    stepper.accept();
+    std::swap(y, next);
+  }
+  std::vector<float> end;
+  for (const auto& x : y) end.push_back(x.value);
+  return end;
+}
+
+/// Implicit and exponential methods hand their matrices to linear algebra that is compiled for real floats.
+template <class Kind>
+concept LeavesLinearAlgebraToOthers = (Kind::needs & Ability::linear_part) != 0 ||
+                                      Kind::kind_name == "diagonally implicit Runge-Kutta" ||
+                                      Kind::kind_name == "chapter listing";
+
+template <const auto& method, class F>
+int compare(const F& family, const AnyProblem& problem) {
+  using Kind = KindOf<method>;
+  if constexpr (LeavesLinearAlgebraToOthers<Kind>) {
+    return 0;
+  } else if constexpr (requires { method.velocity; }) {
+    if constexpr (method.velocity == decltype(method.velocity)::implicit) {
+      return 0;
+    } else {
+      EXPECT_TRUE(same_bits(strict_end<method>(family, 100),
+                            solve<float>(suite_method(method.id), problem, FixedSteps{100}).y))
+          << method.id;
+      return 1;
+    }
+  } else {
+    EXPECT_TRUE(same_bits(strict_end<method>(family, 100),
+                          solve<float>(suite_method(method.id), problem, FixedSteps{100}).y))
+        << method.id;
+    return 1;
+  }
+}
+
+template <const auto&... methods>
+int compare_all(MethodList<methods...>) {
+  const auto problem = probe::problem<probe::Driven>();
+  return (compare<methods>(probe::Driven<double>{}, problem) + ...);
+}
+
+TEST(Float, SteppersNeverLeaveTheirNumberType) { EXPECT_GE(compare_all(SuiteMethods{}), 30); }
+
+/// The least error over a ladder of steps.
+template <class T>
+double floor_of(const AnyMethod& method, const AnyProblem& problem, const std::vector<long double>& end) {
+  double least = 1e300;
+  for (long steps = 16; steps <= 4096; steps *= 2)
+    least = std::min(least, scaled_gap(problem, solve<T>(method, problem, FixedSteps{steps}).y, end));
+  return least;
+}
+
+TEST(Float, EveryMethodStopsWhereItsNumberTypeDoes) {
+  const auto problem = probe::problem<probe::Driven>();
+  const auto end = fine_end(problem, 256);
+  for (const auto& method : suite_methods()) {
+    if (!method.takes_fixed_steps) continue;
+    SCOPED_TRACE(method.id);
+    const auto narrow = solve<float>(method, problem, FixedSteps{64}).y;
+    const auto plain = solve<double>(method, problem, FixedSteps{64}).y;
+    const auto wide = solve<long double>(method, problem, FixedSteps{64}).y;
+    EXPECT_FALSE(same_bits(narrow, std::vector<float>(plain.begin(), plain.end()))) << "as if computed in double and rounded";
+    EXPECT_LT(scaled_gap(problem, narrow, plain), 1e-4);
+    EXPECT_LT(scaled_gap(problem, plain, wide), 1e-13);
+    if (method.order < 4) continue;
+    const double in_float = floor_of<float>(method, problem, end), in_double = floor_of<double>(method, problem, end);
+    EXPECT_GT(in_float, 1e-9) << "better than float can be";
+    EXPECT_LT(in_float, 1e-4);
+    EXPECT_LT(in_double, 1e-3 * in_float);
+    if (method.order >= 5) {
+      EXPECT_LT(floor_of<long double>(method, problem, end), 0.3 * in_double);
+    }
+  }
+}
+
+double oscillator_error(long steps, bool compensated, std::string_view id) {
+  const auto problem = suite_problem("oscillator");
+  const std::vector<long double> end{std::cos(10.0L), -std::sin(10.0L)};
+  return scaled_gap(problem, solve(suite_method(id), problem, FixedSteps{steps, compensated}).y, end);
+}
+
+TEST(Float, CompensatedSumsLowerTheFloor) {
+  // RK4 on the oscillator over 10 s, 65536 steps: round-off alone is left
+  EXPECT_GT(oscillator_error(65536, false, "rk4"), 1e-15);
+  EXPECT_LT(oscillator_error(65536, true, "rk4"), 6e-16);
+  for (const auto& method : suite_methods()) {
+    if (!method.compensated || method.order < 4) continue;
+    SCOPED_TRACE(method.id);
+    double plain = 0, compensated = 0;
+    for (const long steps : {50'000L, 60'000L, 70'000L, 80'000L}) {
+      plain = std::max(plain, oscillator_error(steps, false, method.id));
+      compensated = std::max(compensated, oscillator_error(steps, true, method.id));
+    }
+    EXPECT_LT(compensated, 0.5 * plain);
+    EXPECT_LT(compensated, 1e-15);
+  }
+}
+
+TEST(Float, ACompensatedRunDiffersFromThePlainOneOnlyByRoundOff) {
+  const auto problem = probe::problem<probe::Driven>();
+  for (const auto& method : suite_methods()) {
+    if (!method.compensated) continue;
+    const auto plain = solve(method, problem, FixedSteps{200}), sum = solve(method, problem, FixedSteps{200, true});
+    EXPECT_EQ(sum.report.status, RunStatus::reached_end) << method.id;
+    EXPECT_LT(scaled_gap(problem, plain.y, sum.y), 1e-13) << method.id;
+  }
+}
+
+}  // namespace
+}  // namespace odemark

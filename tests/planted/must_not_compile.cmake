@@ -1,0 +1,15 @@
+# The right tableau compiles, the wrong one is stopped by its static_assert and by nothing else:
+# cmake -DCXX=... -DROOT=... -P must_not_compile.cmake
+set(command ${CXX} -std=c++20 -fsyntax-only -I${ROOT} ${ROOT}/tests/planted/wrong_tableau.cpp)
+execute_process(COMMAND ${command} RESULT_VARIABLE result ERROR_VARIABLE messages)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "the right tableau does not compile:\n${messages}")
+endif()
+execute_process(COMMAND ${command} -DWRONG RESULT_VARIABLE result ERROR_VARIABLE messages)
+if(result EQUAL 0)
+  message(FATAL_ERROR "a tableau with a wrong digit compiles")
+endif()
+if(NOT messages MATCHES "static assertion failed|static_assert failed")
+  message(FATAL_ERROR "it is not the static_assert that stops it:\n${messages}")
+endif()
+message(STATUS "the wrong digit does not compile")
