@@ -34,8 +34,9 @@ namespace {
 template <class T>
 DragShipQuadratic<long double> begun_at(const DragShipQuadratic<>& ship, T from) {
   DragShipQuadratic<long double> wide;
-  wide.thrust = ship.thrust, wide.c = ship.c, wide.m = ship.m;
-  wide.t_reverse = static_cast<long double>(ship.t_reverse) - static_cast<long double>(from);
+  const auto widened = [](double x) { return static_cast<long double>(x); };
+  wide.thrust = widened(ship.thrust), wide.c = widened(ship.c), wide.m = widened(ship.m);
+  wide.t_reverse = widened(ship.t_reverse) - static_cast<long double>(from);
   return wide;
 }
 

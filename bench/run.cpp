@@ -69,12 +69,14 @@ RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const Ru
   if (hash_bits(y) != row.state_hash)
     throw std::logic_error(fmt::format("{}: the timed run ended in other bits than the counted run", row.id));
   const int batch = std::clamp(static_cast<int>(20e-6 / std::max(probe, 1e-9)), 1, 1000);
+  // a long run is its own average: the one that checked the bits is the measurement
   std::vector<double> seconds;
-  double spent = 0;
-  while (static_cast<int>(seconds.size()) < request.timing_repeats || spent < request.timing_seconds) {
+  if (probe > 0.05) seconds.push_back(probe);
+  double spent = probe > 0.05 ? request.timing_seconds : 0;
+  while (seconds.empty() || spent < request.timing_seconds ||
+         (static_cast<int>(seconds.size()) < request.timing_repeats && spent < 4 * request.timing_seconds)) {
     seconds.push_back(seconds_of(batch));
     spent += seconds.back() * batch;
-    if (seconds.size() >= 3 && spent > 4 * request.timing_seconds) break;
     if (seconds.size() >= 10'000) break;
   }
   const auto median = [](std::vector<double> v) {

@@ -19,9 +19,27 @@ std::vector<Wide> product(std::size_t n, const std::vector<Wide>& a, const std::
   return out;
 }
 
+/// From trace and determinant, so that two eigenvalues which nearly meet on the circle cost no digits: powers
+/// of such a matrix are ill-conditioned.
+Wide growth_of_two_by_two(Wide a, Wide c, Wide b, Wide d) {
+  const Wide largest = std::max({std::abs(a), std::abs(b), std::abs(c), std::abs(d)});
+  if (!std::isfinite(largest)) return std::numeric_limits<Wide>::quiet_NaN();
+  if (largest == 0) return -std::numeric_limits<Wide>::infinity();
+  const Wide half = (a / 2 - d / 2) / largest, product = (b / largest) * (c / largest);
+  const Wide square = half * half + product;
+  if (square <= 4 * std::numeric_limits<Wide>::epsilon() * (half * half + std::abs(product)))
+    return std::log(std::abs((a / largest) * (d / largest) - product)) / 2 + std::log(largest);
+  return std::log(std::abs((a / 2 + d / 2) / largest) + std::sqrt(square)) + std::log(largest);
+}
+
 }  // namespace
 
-long double matrix_growth(std::size_t size, std::vector<long double> matrix) {
+long double matrix_growth(std::size_t size, const std::vector<long double>& matrix) {
+  if (size == 2) return growth_of_two_by_two(matrix[0], matrix[1], matrix[2], matrix[3]);
+  return growth_by_squaring(size, matrix);
+}
+
+long double growth_by_squaring(std::size_t size, std::vector<long double> matrix) {
   Wide growth = 0, weight = 1;
   for (int squarings = 0; squarings < 80; ++squarings) {
     Wide norm = 0;

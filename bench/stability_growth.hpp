@@ -5,9 +5,13 @@
 
 namespace odemark {
 
-/// lim ln ||M^N|| / N by repeated squaring, scaled at every squaring: no threshold, no overflow, and a Jordan
-/// block counts for nothing. -infinity for a nilpotent matrix. Column-major.
-long double matrix_growth(std::size_t size, std::vector<long double> matrix);
+/// lim ln ||M^N|| / N: no threshold, no overflow, and a Jordan block counts for nothing. -infinity for a
+/// nilpotent matrix, NaN where an entry is not finite. Column-major. In closed form for two by two, else by
+/// squaring.
+long double matrix_growth(std::size_t size, const std::vector<long double>& matrix);
+
+/// The same by repeated squaring, scaled at every squaring, to N = 2^80.
+long double growth_by_squaring(std::size_t size, std::vector<long double> matrix);
 
 struct StepGrowth {
   bool solved = true;      // false: an implicit stage could not be solved

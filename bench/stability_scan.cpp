@@ -16,7 +16,9 @@ class Scanner {
 
   Scan run() {
     const double rate = range_.fastest_rate;
-    const double fine = range_.expected > 0 ? std::min(0.02 / rate, 0.01 * range_.expected) : 0.02 / rate;
+    const double fine = range_.expected > 0
+                            ? std::min(0.02 / rate, std::max(0.01 * range_.expected, 1e-4 / rate))
+                            : 0.02 / rate;
     const double coarse_from = 1.2 * range_.expected;
     const double end = std::max({60 / rate, 1.2 * range_.expected, 1.2 * range_.last_expected});
     while (at_ < end && scan_.failure.empty())

@@ -19,7 +19,9 @@ AnyProblem find_problem(const std::vector<AnyFamily>& families, std::string_view
       if (preset.id == id) return family.create(preset, user);
   for (const auto& family : families)  // a family's name stands for its first preset
     if (family.id == id) return family.create(family.presets.front(), user);
-  throw BadInput("there is no problem \"" + std::string(id) + "\"" + suggestion(id, problem_ids(families)) +
+  auto candidates = problem_ids(families);
+  for (const auto& family : families) candidates.emplace_back(family.id);
+  throw BadInput("there is no problem \"" + std::string(id) + "\"" + suggestion(id, candidates) +
                  ": `odemark list --problems` shows them all");
 }
 

@@ -53,7 +53,7 @@ template <class Number>
 bool CollocationNewton::iterate(const Wide& t, const std::vector<Wide>& y, const Wide& h,
                                 std::vector<Wide>& stage, DenseLu<Number>& lu, int limit) {
   const std::size_t n = y.size(), all = stage.size();
-  const long double enough = (tolerance_.exponent - 5) * std::log2(10.0L);
+  const long double enough = tolerance_.bits() - 16;
   const long double near = -33;  // a matrix from here is as good as its arithmetic
   long double before = 1e9L;
   bool stale = true;

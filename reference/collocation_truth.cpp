@@ -66,7 +66,7 @@ long double CollocationTruth::step_bits(const std::vector<Wide>& y) {
       coefficients_[k * n + i] = sum;
     }
   const std::size_t degree = nodes_ - 1;
-  const long double tolerance = tolerance_.exponent * std::log2(10.0L);
+  const long double tolerance = tolerance_.bits();
   long double bits = 1e9L;
   for (std::size_t i = 0; i < n; ++i) {
     const Wide end = stage_[(method_.stages - 1) * n + i], size = abs(end) > abs(y[i]) ? abs(end) : abs(y[i]);

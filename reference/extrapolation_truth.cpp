@@ -49,7 +49,7 @@ void ExtrapolationTruth::fill_table(const Wide& t, const std::vector<Wide>& y, c
 void ExtrapolationTruth::advance(Wide& t, std::vector<Wide>& y, const Wide& stop, RunBudget& budget) {
   // near zeros of a component the unit must stay above what rounding leaves of a step
   const double floor = std::clamp(std::pow(10.0, -43 - tolerance_.exponent), 1e-8, 0.1);
-  const auto tolerance = static_cast<long double>(tolerance_.exponent) * std::log2(10.0L);
+  const auto tolerance = tolerance_.bits();
   if (step_ == 0) step_ = first_step(system_, t, y, stop, tolerance_) / 10;
   int rejections = 0;
   while (t < stop) {

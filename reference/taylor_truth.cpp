@@ -62,7 +62,7 @@ void TaylorTruth::choose_branches(const Wide& t, const std::vector<Wide>& y) {
 
 /// log2 of the step that keeps each of the last eight terms below the tolerance.
 long double TaylorTruth::step_bits(const std::vector<Wide>& y) const {
-  const long double tolerance = tolerance_.exponent * std::log2(10.0L);
+  const long double tolerance = tolerance_.bits();
   long double bits = 1e9L;
   for (std::size_t i = 0; i < y.size(); ++i) {
     const long double unit = log2_size(error_unit(y[i], floor_of_scale, tolerance_.scale[i]));

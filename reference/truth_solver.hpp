@@ -43,6 +43,8 @@ struct RunBudget {
 struct RunTolerance {
   double exponent = -34;  // the local error is at most 10^exponent of those units
   std::vector<double> scale;
+
+  long double bits() const { return static_cast<long double>(exponent) * 3.3219280948873623L; }
 };
 
 /// One way to solve, for one run. Implementations share no code that could be wrong in all of them.

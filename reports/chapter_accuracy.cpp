@@ -43,24 +43,23 @@ Chart error_chart(const ChapterData& data, std::string_view problem) {
 Table minimum_table(const ChapterData& data) {
   Table table{"minimum",
               "The dt of the smallest error",
-              "“Not reached”: the error still falls, or lies flat, at the smallest dt that was run.",
+              "Rises again: below the best dt the error at least doubles. Not reached: it still falls, or "
+              "lies flat, at the smallest "
+              "dt that was run.",
               {{"problem"},
                {"method"},
                {"number"},
                {"best dt", Align::right, "s"},
                {"error there", Align::right},
-               {"steps there", Align::right},
-               {"smallest dt run", Align::right, "s"},
+               {"smallest dt", Align::right, "s"},
                {"error there", Align::right},
-               {"round-off wins below the best dt"}},
+               {"rises again"}},
               {}};
   for (const ErrorCurve& curve : data.errors) {
     const ErrorPoint& last = curve.points.back();
     table.rows.push_back(
         {words(problem_name(curve.problem)), words(method_name(curve.method)), words(curve.scalar),
-         digits(curve.best.dt, 3), digits(curve.best.error, 2),
-         number_cell(double(curve.best.steps), std::to_string(curve.best.steps)), digits(last.dt, 3),
-         digits(last.error, 2),
+         digits(curve.best.dt, 3), digits(curve.best.error, 2), digits(last.dt, 3), digits(last.error, 2),
          curve.minimum_inside ? words("yes", Status::warn) : words("not reached", Status::muted)});
   }
   return table;
@@ -78,7 +77,7 @@ Table clock_table(const ChapterData& data) {
        {"t + dt = t from", Align::right, "s"}},
       {}};
   for (const ClockLine& line : data.clocks)
-    table.rows.push_back({digits(line.dt, 4), digits(line.duration, 6), digits(line.accumulated_error, 4),
+    table.rows.push_back({digits(line.dt, 5), digits(line.duration, 6), digits(line.accumulated_error, 4),
                           digits(line.computed_error, 2), digits(line.stops_at, 7)});
   return table;
 }
@@ -88,7 +87,8 @@ Chart cost_chart(const ChapterData& data, std::string_view problem) {
   chart.id = fmt::format("cost-{}", problem);
   chart.title = fmt::format("Error against evaluations: {}", problem_name(problem));
   chart.caption =
-      "In double precision. Lower is better at equal cost; where two curves cross, the winner changes.";
+      "In double precision, up to 20 000 evaluations. Lower is better at equal cost; where two curves cross, "
+      "the winner changes.";
   chart.x = {"evaluations of the force", Scale::log10, {}};
   chart.y = {"error", Scale::log10, {}};
   for (const ErrorCurve& curve : data.errors) {

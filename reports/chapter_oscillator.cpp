@@ -18,19 +18,19 @@ Cell periods(const Halving& line) {
 }
 
 Table doubling_table(const ChapterData& data) {
-  Table table{
-      "doubling",
-      "Amplitudes: periods until a factor of two",
-      "Measured by stepping until it has happened; ≈ marks an extrapolation from the change over two million "
-      "steps. Theory: ln 2 / ln|R(iw dt)| steps.",
-      {{"w dt", Align::right},
-       {"steps per period", Align::right},
-       {"improved Euler doubles after", Align::right},
-       {"theory", Align::right},
-       {"at 60 steps a second that is", Align::right},
-       {"Runge–Kutta 4 halves after", Align::right},
-       {"theory", Align::right}},
-      {}};
+  Table table{"doubling",
+              "Amplitudes: periods until a factor of two",
+              "In periods, measured by stepping until it has happened; ≈ marks an extrapolation from the "
+              "change over two million "
+              "steps. Theory: ln 2 / ln|R(iw dt)| steps.",
+              {{"w dt", Align::right},
+               {"steps per period", Align::right},
+               {"improved Euler doubles", Align::right},
+               {"theory", Align::right},
+               {"at 60 steps/s", Align::right},
+               {"Runge–Kutta 4 halves", Align::right},
+               {"theory", Align::right}},
+              {}};
   for (const DoublingLine& line : data.doublings)
     table.rows.push_back({digits(line.z, 4), digits(line.steps_per_period, 3), periods(line.heun_doubles),
                           digits(line.heun_doubles.theory, 5),
@@ -116,11 +116,12 @@ Chart doubling_chart(const ChapterData& data) {
 Table equal_cost_table(const ChapterData& data) {
   Table table{
       "equal-cost",
-      fmt::format("Equal cost: the state after {} periods", compact(data.equal_cost.at(0).periods, 4)),
+      fmt::format("Equal evaluations per period: the state after {} periods",
+                  compact(data.equal_cost.at(0).periods, 4)),
       "Runge–Kutta takes steps twice as long as improved Euler, and four times those of the chapter's "
       "listing. "
       "Error: distance from the exact state, as a part of the amplitude. The smallest is marked.",
-      {{"evaluations per period", Align::right},
+      {{"evaluations", Align::right},
        {"error: improved Euler", Align::right},
        {"Runge–Kutta 4", Align::right},
        {"listing", Align::right},

@@ -52,13 +52,13 @@ Table verdict_table(const ChapterData& data) {
               "“True with limits”: it holds in some of the measured cases and not in others. The sentences "
               "below say in "
               "which; the rule of each answer is in bench/chapter_answers.cpp.",
-              {{"the claim, in short"}, {"answer"}},
+              {{"answer"}, {"the claim, in short"}},
               {}};
   for (std::size_t n = 0; n < claim_count; ++n) {
     const Answer answer = data.answers.at(n);
     Cell claim = words(fmt::format("{}. {}", n + 1, parts.at(n).short_name));
     claim.link = fmt::format("#claim-{}", n + 1);
-    table.rows.push_back({claim, words(answer_text(answer), answer_status(answer))});
+    table.rows.push_back({words(answer_text(answer), answer_status(answer)), claim});
   }
   return table;
 }

@@ -84,7 +84,7 @@ Table growth_table(const ChapterData& data) {
               "Growth measured over 10 s, in 1/s; theory from the method's own coefficients. Doubling times "
               "beyond that "
               "are extrapolated.",
-              {{"steps per second", Align::right}},
+              {{"steps/s", Align::right}},
               {}};
   std::string method;
   std::size_t row = 0;
@@ -115,12 +115,12 @@ Table stall_table(const ChapterData& data) {
        {"float", Align::right, "m/s"},
        {"double", Align::right, "m/s"},
        {"exact", Align::right, "m/s"},
-       {"speed constant from", Align::right, "s"},
-       {"predicted stall below the limit", Align::right, "m/s"}},
+       {"stopped at", Align::right, "s"},
+       {"predicted stop short by", Align::right, "m/s"}},
       {}};
   for (const Stall& line : data.stalls)
     table.rows.push_back({digits(line.dt, 3), digits(line.v_float, 7), digits(line.v_double, 7),
-                          digits(line.exact, 7), digits_or(line.stalled_from, 4, "moving"),
+                          digits(line.exact, 7), digits_or(line.stalled_from, 4, "still moving"),
                           digits(line.dv_of_stall, 3)});
   return table;
 }

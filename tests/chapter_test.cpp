@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include "reports/chapter_page.hpp"
@@ -18,28 +21,27 @@ const ChapterData& data() {
   return all;
 }
 
-const ChapterTable& table_in(const std::string& scalar) {
-  const auto found = std::find_if(data().tables.begin(), data().tables.end(),
-                                  [&](const ChapterTable& table) { return table.scalar == scalar; });
-  EXPECT_NE(found, data().tables.end());
+template <class Lines, class Test>
+const auto& find(const Lines& lines, Test&& test) {
+  const auto found = std::find_if(lines.begin(), lines.end(), test);
+  if (found == lines.end()) throw std::out_of_range("not measured");
   return *found;
 }
 
+const ChapterTable& table_in(const std::string& scalar) {
+  return find(data().tables, [&](const ChapterTable& table) { return table.scalar == scalar; });
+}
+
 const LimitLine& limit_of(const std::string& problem, const std::string& method) {
-  const auto found = std::find_if(data().limits.begin(), data().limits.end(), [&](const LimitLine& line) {
-    return line.problem == problem && line.method == method;
-  });
-  EXPECT_NE(found, data().limits.end()) << problem << ' ' << method;
-  return *found;
+  return find(data().limits,
+              [&](const LimitLine& line) { return line.problem == problem && line.method == method; });
 }
 
 const ErrorCurve& errors_of(const std::string& problem, const std::string& method,
                             const std::string& scalar) {
-  const auto found = std::find_if(data().errors.begin(), data().errors.end(), [&](const ErrorCurve& curve) {
+  return find(data().errors, [&](const ErrorCurve& curve) {
     return curve.problem == problem && curve.method == method && curve.scalar == scalar;
   });
-  EXPECT_NE(found, data().errors.end()) << problem << ' ' << method << ' ' << scalar;
-  return *found;
 }
 
 std::vector<AdaptiveRun> runs_of(const std::string& family, const std::string& method) {
@@ -58,7 +60,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-TEST(ChapterTable71, EveryPrintedDigitInDouble) {
+TEST(ChapterTable71, EveryPrintedDigitAndMeanInDouble) {
   struct Line {
     double t;
     const char *exact, *euler, *error;
@@ -77,9 +79,6 @@ TEST(ChapterTable71, EveryPrintedDigitInDouble) {
     EXPECT_EQ(lines[i].error.ours, book[i].error);
     EXPECT_TRUE(lines[i].exact.agrees && lines[i].euler.agrees && lines[i].error.agrees);
   }
-}
-
-TEST(ChapterTable71, MeanErrors) {
   const auto& means = table_in("double").means;
   ASSERT_EQ(means.size(), 3u);
   EXPECT_EQ(means[0].percent.ours, "1.72");
@@ -100,6 +99,8 @@ TEST(ChapterTable71, FloatIsWithinItsRoundingAndCannotShowRungeKutta) {
 
 TEST(ChapterFigures, EightWithTheirCurves) {
   ASSERT_EQ(data().figures.size(), 8u);
+  const auto& errors = data().local_errors;  // 7-1
+  EXPECT_NEAR(errors.at(errors.size() - 2).error / errors.back().error, 4, 0.1);
   for (std::size_t i = 0; i < 8; ++i) {
     const ChapterFigure& figure = data().figures[i];
     EXPECT_EQ(figure.number, "7-" + std::to_string(i + 1));
@@ -120,13 +121,6 @@ TEST(ChapterFigures, EightWithTheirCurves) {
   EXPECT_LT(last_gap(data().figures[6], 2), 0.004);                                // 7-7
   EXPECT_LT(last_gap(data().figures[6], 3), 1e-6);
   for (const std::size_t curve : {1u, 2u}) EXPECT_LT(largest(data().figures[7].curves[curve]), 1.01);  // 7-8
-}
-
-TEST(ChapterFigures, TruncationErrorIsOfSecondOrder) {
-  const auto& errors = data().local_errors;
-  ASSERT_GE(errors.size(), 4u);
-  const double ratio = errors[errors.size() - 2].error / errors.back().error;
-  EXPECT_NEAR(ratio, 4, 0.1);
 }
 
 TEST(ChapterListing, IsSemiImplicitEulerToTheBit) {
@@ -202,15 +196,15 @@ TEST(ChapterClaim3, FloatTurnsUpAndTheClockDrifts) {
   EXPECT_TRUE(errors_of("drag_ship", "rk4", "double").minimum_inside);
   for (const ClockLine& line : data().clocks) {
     EXPECT_LE(std::abs(line.computed_error), 0.002);
-    if (line.dt == 1.0 / 64) EXPECT_EQ(line.accumulated_error, 0);
-    if (line.dt == 1.0 / 60 && line.duration > 20000) EXPECT_GT(line.accumulated_error, 600);
+    EXPECT_TRUE(line.dt != 1.0 / 64 || line.accumulated_error == 0);
+    EXPECT_TRUE(line.dt != 1.0 / 60 || line.duration < 20000 || line.accumulated_error > 600);
   }
 }
 
 TEST(ChapterClaim4, LimitsPerStepAndPerEvaluation) {
   for (const LimitLine& line : data().limits) {
     ASSERT_EQ(line.dt.has_value(), line.theory.has_value()) << line.problem << ' ' << line.method;
-    if (line.dt) EXPECT_NEAR(*line.dt / *line.theory, 1, 1e-6) << line.problem << ' ' << line.method;
+    EXPECT_NEAR(line.dt.value_or(1) / line.theory.value_or(1), 1, 1e-6) << line.problem << ' ' << line.method;
   }
   EXPECT_NEAR(limit_of("drag_ship", "explicit_euler").number, 2, 1e-6);
   EXPECT_NEAR(limit_of("drag_ship", "heun").number, 2, 1e-6);
@@ -223,7 +217,8 @@ TEST(ChapterClaim4, LimitsPerStepAndPerEvaluation) {
   EXPECT_NEAR(limit_of("damped_spring{zeta=0.01}", "heun").number, 0.444, 1e-3);
 }
 
-TEST(ChapterClaim5, DoublingTimesAreTheorysWithinATenthOfAPercent) {
+TEST(ChapterClaim5, RungeKuttaWinsAtEqualCostAndDoublingTimesAreTheorys) {
+  for (const EqualCostLine& line : data().equal_cost) EXPECT_LT(line.rk4_error, line.heun_error);
   struct Line {
     double z, doubles, halves;
   };
@@ -231,21 +226,16 @@ TEST(ChapterClaim5, DoublingTimesAreTheorysWithinATenthOfAPercent) {
   for (const Line& line :
        {Line{0.05, 7060, 5e7}, Line{0.1, 882.6, 1.6e6}, Line{0.2, 110.3, 49892}, Line{0.3, 32.7, 6612},
         Line{0.5, 7.12, 525}, Line{0.5236, 6.21, 418}, Line{1.0, 0.989, 18.0}, Line{2.0, 0.274, 0.75}}) {
-    const auto found = std::find_if(data().doublings.begin(), data().doublings.end(),
-                                    [&](const DoublingLine& d) { return std::abs(d.z / line.z - 1) < 1e-4; });
-    ASSERT_NE(found, data().doublings.end()) << line.z;
-    EXPECT_NEAR(found->heun_doubles.periods / found->heun_doubles.theory, 1, 1e-3) << line.z;
-    EXPECT_NEAR(found->rk4_halves.periods / found->rk4_halves.theory, 1, 1e-3) << line.z;
-    EXPECT_NEAR(found->heun_doubles.periods / line.doubles, 1, 2e-3) << line.z;
-    EXPECT_NEAR(found->rk4_halves.periods / line.halves, 1, 0.02) << line.z;
-    EXPECT_FALSE(found->heun_doubles.extrapolated);
-    EXPECT_NEAR(found->heun_phase, found->heun_phase_theory, 1e-6 + 1e-6 * found->heun_phase_theory);
-    EXPECT_NEAR(found->rk4_phase, found->rk4_phase_theory, 1e-9);
+    const DoublingLine& found =
+        find(data().doublings, [&](const DoublingLine& d) { return std::abs(d.z / line.z - 1) < 1e-4; });
+    EXPECT_NEAR(found.heun_doubles.periods / found.heun_doubles.theory, 1, 1e-3) << line.z;
+    EXPECT_NEAR(found.rk4_halves.periods / found.rk4_halves.theory, 1, 1e-3) << line.z;
+    EXPECT_NEAR(found.heun_doubles.periods / line.doubles, 1, 2e-3) << line.z;
+    EXPECT_NEAR(found.rk4_halves.periods / line.halves, 1, 0.02) << line.z;
+    EXPECT_FALSE(found.heun_doubles.extrapolated);
+    EXPECT_NEAR(found.heun_phase, found.heun_phase_theory, 1e-6 + 1e-6 * found.heun_phase_theory);
+    EXPECT_NEAR(found.rk4_phase, found.rk4_phase_theory, 1e-9);
   }
-}
-
-TEST(ChapterClaim5, RungeKuttaWinsAtEqualCost) {
-  for (const EqualCostLine& line : data().equal_cost) EXPECT_LT(line.rk4_error, line.heun_error);
 }
 
 TEST(ChapterClaim6, BestPerStepAndTheCrossovers) {
@@ -256,8 +246,8 @@ TEST(ChapterClaim6, BestPerStepAndTheCrossovers) {
   }
   for (const Crossover& line : data().crossovers) {
     EXPECT_NE(line.error.has_value(), !line.winner.empty());
-    if (line.error && line.problem == "drag_ship") EXPECT_GT(*line.error, 0.05);
-    if (line.cheap == "chapter_euler") EXPECT_TRUE(line.error);
+    EXPECT_TRUE(!line.error || *line.error > 0.05);
+    EXPECT_TRUE(line.cheap != "chapter_euler" || line.error);
   }
 }
 
@@ -299,9 +289,7 @@ TEST(ChapterPage, HasEightFiguresAndSevenVerdictsInTheSameBytes) {
   const std::string html = to_html(chapter_page(data()));
   for (int n = 1; n <= 8; ++n) {
     EXPECT_EQ(count(html, "id=\"figure-7-" + std::to_string(n) + "\""), 1u) << n;
-    if (n < 8) {
-      EXPECT_EQ(count(html, "id=\"claim-" + std::to_string(n) + "\""), 1u) << n;
-    }
+    EXPECT_EQ(count(html, "id=\"claim-" + std::to_string(n) + "\""), n < 8 ? 1u : 0u) << n;
   }
   EXPECT_EQ(count(html, "Measured: true"), 7u);
   EXPECT_NE(html.find("18 of the 18 printed numbers"), html.npos);

@@ -12,7 +12,7 @@ foreach(level 0 1 3)
   list(APPEND bits_programs $<TARGET_FILE:final_bits_o${level}>)
 endforeach()
 if(NOT ODEMARK_NATIVE)
-  # the other compiler, where there is one
+  # the other compiler, where there is one, at the level in between
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     find_program(ODEMARK_OTHER_COMPILER NAMES clang++-14 clang++)
   else()
@@ -23,7 +23,7 @@ if(NOT ODEMARK_NATIVE)
     list(TRANSFORM bits_sources REPLACE "^support" "${CMAKE_CURRENT_SOURCE_DIR}/support" OUTPUT_VARIABLE other_sources)
     add_custom_command(OUTPUT ${other} DEPENDS ${bits_sources} final_bits_o3
       COMMAND ${ODEMARK_OTHER_COMPILER} -std=c++20 -O2 -ffp-contract=off -DEIGEN_FAST_MATH=0 -DNDEBUG -DFMT_HEADER_ONLY
-        -I${PROJECT_SOURCE_DIR} -isystem $<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>, -isystem >
+        -I${PROJECT_SOURCE_DIR} "-isystem;$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,;-isystem;>"
         ${other_sources} -o ${other} COMMAND_EXPAND_LISTS VERBATIM)
     add_custom_target(final_bits_other_compiler ALL DEPENDS ${other})
     list(APPEND bits_programs ${other})

@@ -1,4 +1,5 @@
 # What every script here needs: a folder of its own, and words for what is expected.
+# shellcheck shell=bash
 set -u
 ODEMARK=${ODEMARK:?path of the program}
 work=$(mktemp -d)

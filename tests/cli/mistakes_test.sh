@@ -33,11 +33,11 @@ refused 2 '--time-limit' run "${plan[@]}" --time-limit 0
 refused 2 '--time-limit' run "${plan[@]}" --time-limit -1
 refused 2 '--nonsense' run "${plan[@]}" --nonsense
 refused 2 'nonsense' nonsense
-refused 2 'subcommand' 
-refused 2 'FORMAT' list --format yaml
+refused 2 'subcommand'
+refused 2 'yaml' list --format yaml
 refused 2 'did you mean' stability --methods rk5
 refused 2 'is no step: it must be above 0' stability --dt 0
-refused 2 'there is no problem' truth keplr
+refused 2 'did you mean "kepler"?' truth keplr
 [ ! -e "$out" ] || fail "something was written into $out: $(ls "$out")"
 
 run --version
