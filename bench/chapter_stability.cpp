@@ -71,7 +71,7 @@ struct LinearForce {
     p = l[1], q = l[3];
   }
   std::complex<long double> rate(int sign) const {
-    const long double wide_p = p, wide_q = q;
+    const auto wide_p = static_cast<long double>(p), wide_q = static_cast<long double>(q);
     return (wide_q + static_cast<long double>(sign) *
                          std::sqrt(std::complex<long double>(wide_q * wide_q + 4 * wide_p))) /
            2.0L;

@@ -97,7 +97,10 @@ class VelocityVerletStepper {
       Real moved = 0, size = std::numeric_limits<Real>::min();
       for (std::size_t i = 0; i < half_; ++i) {
         moved_.data()[half_ + i] += b_.data()[i];
-        moved += std::abs(b_.data()[i]), size += std::abs(moved_.data()[half_ + i]);
+        // in units of what the velocity is made of: it may itself come out as zero
+        moved += std::abs(b_.data()[i]);
+        size +=
+            std::abs(moved_.data()[half_ + i]) + std::abs(y.data()[half_ + i]) + std::abs(h * a_.data()[i]);
       }
       const Real tolerance = 4 * std::numeric_limits<Real>::epsilon() * size;
       if (!std::isfinite(moved + size)) return false;

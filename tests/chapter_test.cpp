@@ -177,9 +177,8 @@ TEST(ChapterClaim2, GrowthIsTheorysAtEveryStep) {
 }
 
 TEST(ChapterClaim2, ATinyStepStallsTheFloatShip) {
-  const Stall &coarse = data().stalls.front(), &fine = data().stalls.back();
-  EXPECT_FALSE(coarse.stalled_from);
-  ASSERT_TRUE(fine.stalled_from);
+  const Stall& fine = data().stalls.back();
+  EXPECT_TRUE(fine.stalled_from && !data().stalls.front().stalled_from);
   EXPECT_NEAR(20 - fine.v_float, fine.dv_of_stall, 0.01 * fine.dv_of_stall);
   EXPECT_NEAR(fine.v_double, fine.exact, 1e-6);
 }
@@ -192,7 +191,6 @@ TEST(ChapterClaim3, FloatTurnsUpAndTheClockDrifts) {
       EXPECT_GT(curve.points.back().error, 2 * curve.best.error);
       EXPECT_LT(errors_of(problem, method, "double").best.error, curve.best.error);
     }
-  EXPECT_FALSE(errors_of("drag_ship", "explicit_euler", "double").minimum_inside);
   EXPECT_TRUE(errors_of("drag_ship", "rk4", "double").minimum_inside);
   for (const ClockLine& line : data().clocks) {
     EXPECT_LE(std::abs(line.computed_error), 0.002);

@@ -77,19 +77,16 @@ nlohmann::ordered_json problems_json(const Registry& registry) {
 
 Table methods_table(const Registry& registry) {
   Table table;
-  table.title = "Methods";
-  for (const char* name : {"method", "kind", "order", "control", "needs", "note"})
-    table.columns.push_back({name});
+  table.title = "Methods (notes and sources: --format json)";
+  for (const char* name : {"method", "kind", "order", "control", "needs"}) table.columns.push_back({name});
   for (const auto& m : registry.methods) {
     const std::string order =
         m.embedded_order > 0 ? fmt::format("{}({})", m.order, m.embedded_order) : fmt::format("{}", m.order);
     const std::string control = m.takes_fixed_steps && m.takes_error_control ? "dt, tol"
                                 : m.takes_fixed_steps                        ? "dt"
                                                                              : "tol";
-    std::string note(m.note);
-    if (!m.starter.empty()) note = fmt::format("starter {}", m.starter);
     table.rows.push_back(
-        {{std::string(m.id)}, {std::string(m.kind)}, {order}, {control}, {needs_text(m.needs)}, {note}});
+        {{std::string(m.id)}, {std::string(m.kind)}, {order}, {control}, {needs_text(m.needs)}});
   }
   return table;
 }
