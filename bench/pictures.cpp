@@ -130,7 +130,7 @@ std::vector<RegionGroup> make_regions(const Registry& registry) {
 }
 
 void add_damping(Pictures& pictures, const Registry& registry) {
-  pictures.damping_at = {-0.1, -0.5, -1, -2, -10, -1000, {0, 0.1}, {0, 0.5}, {0, 1}, {0, 2}};
+  pictures.damping_at = {-0.5, -1, -2, -10, -1000, {0, 0.1}, {0, 0.5}, {0, 1}, {0, 2}};
   for (const auto& method : registry.methods) {
     if (!method.theory) continue;
     const Theory theory = method.theory();

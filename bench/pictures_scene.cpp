@@ -153,8 +153,7 @@ Scene make_scene(const Registry& registry, const AnyProblem& problem, bool certi
   scene.y = std::string(problem.components[y].name);
   if (certified) add_exact(scene, registry, problem, *truth_of(problem), x, y);
   const double dt = problem.t_end / static_cast<double>(coarse_steps);
-  for (const std::string_view id :
-       {"explicit_euler", "semi_implicit_euler", "heun", "rk4", "implicit_euler"}) {
+  for (const std::string_view id : {"explicit_euler", "semi_implicit_euler", "rk4", "implicit_euler"}) {
     const auto method = std::find_if(registry.methods.begin(), registry.methods.end(),
                                      [&](const AnyMethod& m) { return m.id == id; });
     if (method == registry.methods.end() || !can_run(*method, problem, true)) continue;

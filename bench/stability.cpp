@@ -74,9 +74,11 @@ void fill_measured(StabilityRow& row, const AnyMethod& method, const LinearProbl
   for (const auto& [low, high] : row.theory_later_bands)
     range.last_expected = std::max(range.last_expected, std::isfinite(high) ? high : low);
   const Scan scan = scan_step_sizes(subject_of(probe), range);
-  row.failure = scan.failure, row.scanned_to = scan.scanned_to;
+  row.scanned_to = scan.scanned_to;
   if (!scan.failure.empty()) {
     row.verdict = "blank", row.reason = scan.failure;
+    if (method.provider == "odemark")
+      row.failure = scan.failure;  // a guest's failure is a finding, not our fault
     return;
   }
   row.verdict = scan.verdict, row.resolution = scan.resolution, row.later_bands = scan.later_bands;

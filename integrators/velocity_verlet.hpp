@@ -114,7 +114,12 @@ class VelocityVerletStepper {
   std::size_t half_;
   State a_, b_, moved_;
   std::array<State, 3> scratch_;
-  DenseLu<Real> full_, velocity_block_;
+  struct NoMatrix {
+    explicit NoMatrix(std::size_t) {}
+  };
+  using Matrix =
+      std::conditional_t<method.velocity == VelocityVerlet::Velocity::implicit, DenseLu<Real>, NoMatrix>;
+  Matrix full_, velocity_block_;
   NewtonCounts counts_;
 };
 

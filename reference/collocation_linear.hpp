@@ -9,7 +9,7 @@
 namespace odemark {
 
 template <class T>
-class DenseLu {
+class WideLu {
  public:
   /// `matrix` is row by row. Returns false where it is singular to working precision or not finite.
   bool factor(std::vector<T> matrix, std::size_t size) {

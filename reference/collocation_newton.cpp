@@ -30,7 +30,7 @@ void CollocationNewton::residual(const Wide& t, const std::vector<Wide>& y, cons
 /// The matrix I - h A (x) J of the unknowns in units of their size.
 template <class Number>
 bool CollocationNewton::factor(const Wide& t, const Wide& h, const std::vector<Wide>& stage,
-                               DenseLu<Number>& lu) {
+                               WideLu<Number>& lu) {
   const std::size_t s = method_.stages, n = system_.size(), all = s * n;
   std::vector<Number> matrix(all * all), weights(s * s);
   for (std::size_t i = 0; i < s * s; ++i) weights[i] = static_cast<Number>(method_.a[i]);
@@ -51,7 +51,7 @@ bool CollocationNewton::factor(const Wide& t, const Wide& h, const std::vector<W
 
 template <class Number>
 bool CollocationNewton::iterate(const Wide& t, const std::vector<Wide>& y, const Wide& h,
-                                std::vector<Wide>& stage, DenseLu<Number>& lu, int limit) {
+                                std::vector<Wide>& stage, WideLu<Number>& lu, int limit) {
   const std::size_t n = y.size(), all = stage.size();
   const long double enough = tolerance_.bits() - 16;
   const long double near = -33;  // a matrix from here is as good as its arithmetic

@@ -21,17 +21,17 @@ class CollocationNewton {
  private:
   template <class Number>
   bool iterate(const Wide& t, const std::vector<Wide>& y, const Wide& h, std::vector<Wide>& stage,
-               DenseLu<Number>& lu, int limit);
+               WideLu<Number>& lu, int limit);
   template <class Number>
-  bool factor(const Wide& t, const Wide& h, const std::vector<Wide>& stage, DenseLu<Number>& lu);
+  bool factor(const Wide& t, const Wide& h, const std::vector<Wide>& stage, WideLu<Number>& lu);
   void residual(const Wide& t, const std::vector<Wide>& y, const Wide& h, const std::vector<Wide>& stage);
 
   const StiffStages& method_;
   RunTolerance tolerance_;
   double floor_;
   WideSystem system_;
-  DenseLu<long double> fast_;
-  DenseLu<Wide> sure_;
+  WideLu<long double> fast_;
+  WideLu<Wide> sure_;
   std::vector<Wide> slopes_, residual_, jacobian_, unit_, guess_;
 };
 

@@ -45,7 +45,7 @@ std::vector<Wide> quadrature(const std::vector<Wide>& c) {
     for (std::size_t k = 0; k < s; ++k) matrix[k * s + j] = p[k];
   }
   b[0] = 1;
-  DenseLu<Wide> lu;
+  WideLu<Wide> lu;
   lu.factor(std::move(matrix), s);
   lu.solve(b.data());
   return b;
@@ -69,7 +69,7 @@ std::vector<Wide> legendre_transform(const std::vector<Wide>& nodes) {
     const auto p = legendre(2 * nodes[i] - 1, int(n));
     for (std::size_t k = 0; k < n; ++k) matrix[i * n + k] = p[k];
   }
-  DenseLu<Wide> lu;
+  WideLu<Wide> lu;
   lu.factor(std::move(matrix), n);
   for (std::size_t column = 0; column < n; ++column) {
     std::vector<Wide> unit(n, Wide(0));
@@ -97,7 +97,7 @@ StiffStages radau_iia(int stages) {
     const auto p = legendre(2 * method.c[j] - 1, stages);
     for (std::size_t k = 0; k < s; ++k) matrix[k * s + j] = p[k];
   }
-  DenseLu<Wide> lu;
+  WideLu<Wide> lu;
   lu.factor(std::move(matrix), s);
   for (std::size_t i = 0; i < s; ++i) {
     const auto p = legendre(2 * method.c[i] - 1, stages);
@@ -127,7 +127,7 @@ StiffStages lobatto_iiic(int stages) {
     for (std::size_t k = 0; k + 1 < s; ++k) matrix[k * s + j] = p[k];
   }
   matrix[(s - 1) * s] = 1;
-  DenseLu<Wide> lu;
+  WideLu<Wide> lu;
   lu.factor(std::move(matrix), s);
   for (std::size_t i = 0; i < s; ++i) {
     const auto p = legendre(2 * method.c[i] - 1, stages);

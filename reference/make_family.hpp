@@ -34,6 +34,8 @@ constexpr unsigned abilities_of() {
     if (!F::force_depends_on_velocity) abilities |= Ability::separable;
   }
   if constexpr (HasLinear<F>) abilities |= Ability::linear_part;
+  // a right-hand side that switches at given times is no single piece of straight-line code
+  if constexpr (requires(const F& f) { f.switch_times(); }) abilities &= ~unsigned(Ability::recordable);
   return abilities;
 }
 

@@ -22,7 +22,7 @@ struct Computation {
   const WideProblem& problem;
   TruthOrigin origin;
   std::string name;
-  Trajectory states;
+  WideTrajectory states;
   std::vector<Wide> kinks;
 
   void compute(const std::vector<Wide>& start, const std::vector<Wide>& times, double exponent,

@@ -4,9 +4,9 @@
 
 namespace odemark {
 
-Trajectory run(TruthSolver& solver, const WideProblem& problem, std::vector<Wide> start,
-               const std::vector<Wide>& times, const std::vector<Wide>& stops, RunBudget& budget) {
-  Trajectory states;
+WideTrajectory run(TruthSolver& solver, const WideProblem& problem, std::vector<Wide> start,
+                   const std::vector<Wide>& times, const std::vector<Wide>& stops, RunBudget& budget) {
+  WideTrajectory states;
   std::vector<Wide> y = std::move(start);
   Wide t = 0;
   std::size_t phase = 0;
@@ -33,9 +33,9 @@ Trajectory run(TruthSolver& solver, const WideProblem& problem, std::vector<Wide
   return states;
 }
 
-Trajectory run_closed_form(const WideProblem& problem, const std::vector<Wide>& start,
-                           const std::vector<Wide>& times) {
-  Trajectory states;
+WideTrajectory run_closed_form(const WideProblem& problem, const std::vector<Wide>& start,
+                               const std::vector<Wide>& times) {
+  WideTrajectory states;
   for (const Wide& t : times) {
     std::vector<Wide> y(problem.size);
     problem.exact(problem.value.get(), t, start.data(), y.data());

@@ -5,16 +5,16 @@
 
 namespace odemark {
 
-using Trajectory = std::vector<std::vector<Wide>>;  // a state for each time
+using WideTrajectory = std::vector<std::vector<Wide>>;  // a state for each time
 
 /// States at `times` (ascending, positive) from `start` at t = 0. Steps end on every time, every switch and
 /// every one of `stops`: instants that another solver found to be kinks. The right-hand side stays the true
 /// one, so that a misplaced stop can only make two computations disagree. Throws RunFailed.
-Trajectory run(TruthSolver& solver, const WideProblem& problem, std::vector<Wide> start,
-               const std::vector<Wide>& times, const std::vector<Wide>& stops, RunBudget& budget);
+WideTrajectory run(TruthSolver& solver, const WideProblem& problem, std::vector<Wide> start,
+                   const std::vector<Wide>& times, const std::vector<Wide>& stops, RunBudget& budget);
 
 /// The closed form at `times`.
-Trajectory run_closed_form(const WideProblem& problem, const std::vector<Wide>& start,
-                           const std::vector<Wide>& times);
+WideTrajectory run_closed_form(const WideProblem& problem, const std::vector<Wide>& start,
+                               const std::vector<Wide>& times);
 
 }  // namespace odemark

@@ -94,7 +94,7 @@ Chart local_chart(const ChapterData& data, std::string_view problem, double tole
   Chart chart;
   chart.id = std::move(id), chart.title = std::move(title), chart.caption = std::move(caption);
   chart.x.label = "t [s]";
-  chart.y = {"local error of the speed / tolerance", Scale::log10, Range{0.01, 10}};
+  chart.y = {"local error of the speed / tolerance", Scale::log10, AxisRange{0.01, 10}};
   chart.lines = {{Direction::horizontal, 1, "the set limit"}};
   for (const std::string_view method : {listing, correct}) {
     const AdaptiveRun& run = adaptive_of(data, problem, method, tolerance);

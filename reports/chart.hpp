@@ -11,7 +11,7 @@ namespace odemark {
 
 enum class Scale { linear, log10 };
 
-struct Range {
+struct AxisRange {
   double low;
   double high;
 };
@@ -19,7 +19,7 @@ struct Range {
 struct Axis {
   std::string label;
   Scale scale = Scale::linear;
-  std::optional<Range> range{};  // absent: fitted to the data, so that nothing drawn is hidden
+  std::optional<AxisRange> range{};  // absent: fitted to the data, so that nothing drawn is hidden
 };
 
 // A diverged point needs only a finite x: it is drawn hollow on the top frame whatever its y, never dropped.

@@ -68,9 +68,9 @@ void fill_long(Table& table, const Chart& chart) {
   table.columns = {
       {"series"}, {or_else(chart.x.label, "x"), Align::right}, {or_else(chart.y.label, "y"), Align::right}};
   for (const Region& region : chart.regions) {
-    std::map<int, Range> extent;  // 0: x, 1: y
+    std::map<int, AxisRange> extent;  // 0: x, 1: y
     const auto widen = [&extent](int axis, double value) {
-      Range& range = extent.try_emplace(axis, Range{value, value}).first->second;
+      AxisRange& range = extent.try_emplace(axis, AxisRange{value, value}).first->second;
       range = {std::min(range.low, value), std::max(range.high, value)};
     };
     for (const auto& outline : region.outlines) {

@@ -103,10 +103,12 @@ Table cheapest_table(const std::vector<ProblemCurves>& problems, Cost cost) {
                {"with"},
                {time ? "second, times as long" : "second, times as many"}},
               {}};
-  table.note =
-      "Interpolated between neighbouring runs of a method on logarithmic axes, never extrapolated. ≤: the "
-      "coarsest run that worked is already this good. A method counts from the run on from which every finer "
-      "one stays below the error, so a lucky crossing wins nothing.";
+  if (!time)
+    table.note =
+        "Interpolated between neighbouring runs of a method on logarithmic axes, never extrapolated. ≤: the "
+        "coarsest run that worked is already this good. A method counts from the run on from which every "
+        "finer "
+        "one stays below the error, so a lucky crossing wins nothing.";
   for (const ProblemCurves& problem : problems)
     for (const double error : target_errors) table.rows.push_back(line(problem, error, cost));
   return table;

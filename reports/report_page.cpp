@@ -75,6 +75,10 @@ Verdict report_verdict(const ReportData& data) {
                                : std::string(
                                      "Every order and stability limit that could be measured is as "
                                      "claimed");
+  const Table failing = failed_orders(data.orders, data.input.pictures.methods);
+  const auto noted = std::count_if(failing.rows.begin(), failing.rows.end(),
+                                   [](const auto& row) { return !row.back().text.empty(); });
+  if (noted > 0) verdict.text += fmt::format(" ({} with a note of the method that says why)", noted);
   verdict.text += fmt::format(". {} of {} runs reached the end.", runs - failed, runs);
   if (orders.fails) verdict.links.push_back({"order claims that do not hold", "#failed-orders"});
   if (stability.differs) verdict.links.push_back({"limits that differ", "#stability-differs"});

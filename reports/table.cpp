@@ -31,7 +31,7 @@ std::string markdown_text(std::string_view text) {
 }
 
 std::string markdown_cell(const Cell& cell) {
-  const std::string text = markdown_text(cell.text);
+  std::string text = markdown_text(cell.text);
   if (cell.link.empty() || !is_safe_link(cell.link)) return text;
   std::string target;
   for (const char c : cell.link) {

@@ -19,17 +19,17 @@ struct Window {
   double low = infinity, high = -infinity;
 
   void see(double x) { low = std::min(low, x), high = std::max(high, x); }
-  Range widened(double part) const {
+  AxisRange widened(double part) const {
     const double spread = high > low ? high - low : std::max(std::abs(high), 1.0);
     return {low - part * spread, high + part * spread};
   }
 };
 
-bool inside(const Range& range, double x) { return x >= range.low && x <= range.high; }
+bool inside(const AxisRange& range, double x) { return x >= range.low && x <= range.high; }
 
 /// The points until just after the curve has left the frame for the first time.
 std::vector<Point> until_it_leaves(const std::vector<double>& x, const std::vector<double>& y,
-                                   const Range& x_range, const Range& y_range, bool& left) {
+                                   const AxisRange& x_range, const AxisRange& y_range, bool& left) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
     if (!std::isfinite(x[i]) || !std::isfinite(y[i])) break;
@@ -51,7 +51,7 @@ void see_runs(const Scene& scene, double largest, Window& x_window, Window& y_wi
 }
 
 /// Widens the windows to the runs, but not beyond the ranges.
-void see_runs_within(const Scene& scene, const Range& x_range, const Range& y_range, Window& x_window,
+void see_runs_within(const Scene& scene, const AxisRange& x_range, const AxisRange& y_range, Window& x_window,
                      Window& y_window) {
   for (const auto& run : scene.runs)
     for (std::size_t i = 0; i < run.y.value.size(); ++i) {
@@ -89,9 +89,9 @@ Chart trajectory_chart(const Scene& scene) {
   } else {
     see_runs(scene, 1e6, x_window, y_window);
   }
-  const Range x_exact = x_window.widened(plane ? 0.4 : 0), y_exact = y_window.widened(0.4);
+  const AxisRange x_exact = x_window.widened(plane ? 0.4 : 0), y_exact = y_window.widened(0.4);
   see_runs_within(scene, x_exact, y_exact, x_window, y_window);
-  const Range x_range = x_window.widened(plane ? 0.05 : 0), y_range = y_window.widened(0.05);
+  const AxisRange x_range = x_window.widened(plane ? 0.05 : 0), y_range = y_window.widened(0.05);
   chart.x.range = x_range, chart.y.range = y_range;
   std::string gone;
   int colour = 0;

@@ -60,8 +60,8 @@ std::string family_of(const std::string& kind, const std::string& provider);
 Palette report_palette(const std::vector<MethodCard>& methods, const std::vector<Row>& rows);
 
 /// Shown by default: the four methods that everybody knows, and of each of the best six families the curve
-/// with the fewest evaluations to `error` (or, if none gets there, the smallest error). Indices into
-/// problem.curves.
+/// with the fewest evaluations to `error` (or, if none gets there, the smallest error). With fixed steps only
+/// our own methods stand for families: other libraries' are the same formulas. Indices into problem.curves.
 std::set<std::size_t> best_of_family(const ProblemCurves& problem, bool fixed_steps_only,
                                      double error = 1e-6);
 

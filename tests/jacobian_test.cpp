@@ -24,7 +24,7 @@ TEST(Jacobian, WrittenEqualsDualNumbersEqualsDifferences) {
       problem.system<double>().jacobian(place.t, place.y, MatrixView<double>{written.data(), n});
       for (std::size_t column = 0; column < n; ++column) {
         auto moved = y;
-        const Wide step = Wide(problem.scale[column]) * Wide("1e-15");
+        const Wide step = Wide(problem.scale[column]) * Wide("1e-20");
         moved[column] = y[column] + step;
         wide.rhs(phase, t, moved.data(), above.data());
         moved[column] = y[column] - step;

@@ -81,7 +81,7 @@ void expect_golden(const Chart& chart) {
 
 std::vector<std::string> tick_texts(double low, double high, Scale scale) {
   std::vector<std::string> texts;
-  for (const Tick& tick : choose_ticks(fit_axis({"", scale, Range{low, high}}, {}), 9)) {
+  for (const Tick& tick : choose_ticks(fit_axis({"", scale, AxisRange{low, high}}, {}), 9)) {
     if (!tick.label.base.empty()) texts.push_back(tick.label.base + "^" + tick.label.exponent);
   }
   return texts;
@@ -143,7 +143,7 @@ TEST(Svg, NegativeAndZeroOnALogAxisAreNoted) {
 
 TEST(Svg, PointsOutsideAFixedRangeAreNoted) {
   Chart chart = with_points({{0, 0}, {1, 5}, {2, 50}}, Scale::linear);
-  chart.y.range = Range{0, 10};
+  chart.y.range = AxisRange{0, 10};
   EXPECT_EQ(chart_notes(chart).at(0), "1 point outside the frame: RK4");
 }
 

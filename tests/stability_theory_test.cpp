@@ -131,8 +131,9 @@ TEST(StabilityTheory, AnIslandIsABandNotTheLimit) {
 
 TEST(StabilityTheory, TheShipsPositionNeverLimits) {
   const auto ship = linear_problem(2, {0, 0, 1, -0.1L}, true);  // eigenvalues 0 and -0.1
-  for (const auto* id : {"explicit_euler", "heun", "stormer_verlet", "semi_implicit_euler"})
+  for (const auto* id : {"explicit_euler", "heun", "semi_implicit_euler"})
     EXPECT_NEAR(limit_of(id, ship), 20, 1e-12) << id;
+  EXPECT_NEAR(limit_of("stormer_verlet", ship), 40, 1e-12);  // two kicks of half a step: (1 - z/2)^2
   EXPECT_NEAR(limit_of("rk4", ship), 27.85293563405282, 1e-10);
   EXPECT_NEAR(limit_of("adams_bashforth2", ship), 10, 1e-12);
   EXPECT_EQ(verdict_of("implicit_euler", ship), Stability::unlimited);
