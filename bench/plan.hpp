@@ -40,7 +40,7 @@ std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& o
 
 /// Counts of equal steps from about eight times the suggested dt downwards, each twice the one before;
 /// multiples of 16, so that the common time grid falls on steps. Never empty: where the suggested dt would
-/// make more than 2^24 steps, the ladder ends at 2^18 instead.
+/// make more than `most_steps`, the ladder ends there instead.
 std::vector<long> step_ladder(const AnyProblem& problem, int rungs, long most_steps = 1L << 24);
 
 }  // namespace odemark

@@ -151,14 +151,16 @@ class DiagonallyImplicitRungeKuttaStepper {
       lu_.solve_in_place(correction_.data());
       ++counts_.newton;
       Real moved = 0, scale = std::numeric_limits<Real>::min();  // sums, because std::max would swallow a NaN
+      Real terms = 0;  // what the stage is the small difference of, where the step is long
       for_each_component(stage_, [&](std::size_t n) {
         stage_.data()[n] += correction_.data()[n];
         moved += std::abs(correction_.data()[n]);
         scale += std::abs(stage_.data()[n]);
+        terms += std::abs(base_.data()[n]) + std::abs(diagonal * slopes_[i].data()[n]);
       });
       if (!std::isfinite(moved + scale)) return false;
       // done, or as far as rounding lets it come: corrections that no longer shrink and are small already
-      const bool stalled = moved >= previous / 2 && moved <= 1024 * tolerance * scale;
+      const bool stalled = moved >= previous / 2 && moved <= 1024 * tolerance * (scale + terms);
       if (moved <= tolerance * scale || stalled) {
         for_each_component(stage_, [&](std::size_t n) {
           slopes_[i].data()[n] = (stage_.data()[n] - base_.data()[n]) / diagonal;

@@ -135,12 +135,11 @@ std::vector<Block> claim_7(const ChapterData& data) {
                     &spring = adaptive_of(data, "oscillator", correct, 1e-2);
   const ZeroEstimate& zero = data.zero_estimate;
   std::vector<Block> blocks;
-  blocks.push_back(local_chart(data, "drag_ship", 1e-3, "local-ship",
-                               "The ship: local error of each step over the tolerance",
-                               "The listing sits at twice its limit for as long as the tolerance binds, then "
-                               "drops because its step may not "
-                               "grow beyond the nominal dt. The correct controller stays just below the "
-                               "limit and lets the step grow."));
+  blocks.push_back(local_chart(
+      data, "drag_ship", 1e-3, "local-ship", "The ship: local error of each step over the tolerance",
+      "The listing sits at twice its limit for as long as the tolerance binds, then "
+      "drops because its step may not grow beyond the nominal dt. The correct controller stays below "
+      "the limit and lets the step grow."));
   blocks.push_back(kept_table(data));
   blocks.push_back(work_table(data));
   blocks.push_back(listing_table(data));

@@ -130,7 +130,7 @@ void check_against_baseline(const GateCase& gate_case, const BaselineScope& scop
     any_known = true;
     const Change change = judge_status(row->status, before.status);
     if (scope.results)
-      status.add(outcome_of(change),
+      status.add(change == Change::worse ? of_unfinished(*row) : outcome_of(change),
                  fmt::format("{} {}, baseline {}", row->status, control_in_words(*row), before.status));
     if (change != Change::same) continue;
     if (scope.results) compare_error(error, *row, before, scope.factor, floor);

@@ -96,7 +96,7 @@ void check_error(const GateCase& gate_case, const Chosen<std::vector<ErrorDemand
     for (const Row* row : runs_for(gate_case, demand.runs, "error", demand.line, chosen.named, checks)) {
       const std::string where = control_in_words(*row);
       if (row->status != "reached_end") {
-        tally.add(Outcome::fail, fmt::format("no error {}: {}{}", where, row->status, because(*row)));
+        tally.add(of_unfinished(*row), fmt::format("no error {}: {}{}", where, row->status, because(*row)));
         continue;
       }
       if (!row->errors) {
@@ -123,7 +123,7 @@ void check_drift(const GateCase& gate_case, const Chosen<std::vector<DriftDemand
       const std::string where = control_in_words(*row);
       const auto found = row->drift.find(demand.invariant);
       if (row->status != "reached_end")
-        tally.add(Outcome::fail, fmt::format("no drift {}: {}{}", where, row->status, because(*row)));
+        tally.add(of_unfinished(*row), fmt::format("no drift {}: {}{}", where, row->status, because(*row)));
       else if (found == row->drift.end())
         tally.add(Outcome::fail, fmt::format("{} is no invariant of {}", demand.invariant, row->problem));
       else
@@ -145,10 +145,8 @@ void check_status(const GateCase& gate_case, const Chosen<StatusDemand>& chosen,
     if (met)
       tally.add(Outcome::pass, fmt::format("{} {}", row->status, where));
     else
-      tally.add(gate_case.provider != "odemark" && row->status == "solver_failed" ? Outcome::no_reference
-                                                                                  : Outcome::fail,
-                fmt::format("{} {}, not {}{}", row->status, where, fmt::join(demand.expected, " or "),
-                            because(*row)));
+      tally.add(of_unfinished(*row), fmt::format("{} {}, not {}{}", row->status, where,
+                                                 fmt::join(demand.expected, " or "), because(*row)));
   }
   tally.finish(checks.findings);
 }
@@ -178,7 +176,9 @@ void check_stability(const GateCase& gate_case, const Chosen<StabilityDemand>& c
                       : row->failure);
         break;
       case StabilityMatch::nothing_to_compare:
-        tally.add(Outcome::skipped, row->verdict == "blank" ? row->reason : row->theory_reason);
+        tally.add(Outcome::skipped, row->verdict == "blank"      ? row->reason
+                                    : row->theory_reason.empty() ? "no theory is given"
+                                                                 : row->theory_reason);
         break;
     }
   }
@@ -203,6 +203,11 @@ void check_stability_verdict(const GateCase& gate_case, const Chosen<StabilityVe
 }
 
 }  // namespace
+
+Outcome of_unfinished(const Row& row) {
+  if (row.status == "time_limit") return Outcome::missing;
+  return row.provider != "odemark" && row.status == "solver_failed" ? Outcome::no_reference : Outcome::fail;
+}
 
 std::string control_in_words(const Row& row) {
   if (row.dt) return fmt::format("at dt {:.4g}", *row.dt);

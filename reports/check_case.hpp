@@ -35,6 +35,10 @@ struct CaseChecks {
   std::map<int, Sought>& sought;
 };
 
+/// What it means that a run did not end as demanded: how fast the machine is, is never held against a method,
+/// and a contestant that broke down is no reference.
+Outcome of_unfinished(const Row& row);
+
 std::string control_in_words(const Row& row);  // "at dt 0.1", "at rtol 1e-06"
 
 /// Everything but the baseline.

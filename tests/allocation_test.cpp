@@ -1,12 +1,11 @@
 // No step takes memory from the heap: a run of four times as many steps allocates as often, in either tier.
-#include "tests/support/count_allocations.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "bench/static_run.hpp"
+#include "tests/support/count_allocations.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
@@ -34,8 +33,8 @@ const std::vector<AnyProblem>& problems() {
   return all;
 }
 
-/// Few steps and four times as many of the same size; for error control, limits on their number. `solve` returns
-/// how often it asked for memory.
+/// Few steps and four times as many of the same size; for error control, limits on their number. `solve`
+/// returns how often it asked for memory.
 template <class F>
 void expect_as_many_requests(const AnyMethod& method, const AnyProblem& problem, const F& solve) {
   const double step = (problem.t_end - problem.t_begin) / 64;

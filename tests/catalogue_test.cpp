@@ -12,9 +12,8 @@ namespace {
 
 bool is_snake_case(std::string_view id) {
   return !id.empty() && std::islower(static_cast<unsigned char>(id.front())) &&
-         std::all_of(id.begin(), id.end(), [](unsigned char c) {
-           return std::islower(c) || std::isdigit(c) || c == '_';
-         });
+         std::all_of(id.begin(), id.end(),
+                     [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '_'; });
 }
 
 TEST(Catalogue, MethodsAreNamedOnceAndDescribed) {

@@ -67,7 +67,7 @@ const std::vector<Planted>& planted() {
        [](auto& rows) { run_of(rows, "kepler", "heun", 16).status = "step_limit"; },
        "step_limit at dt 0.625, not reached_end"},
       {"[defaults]\nrequire_status = { is = \"reached_end\", at = \"finest\" }", "kepler/heun", "status",
-       [](auto& rows) { run_of(rows, "kepler", "heun", 1024).status = "time_limit"; }, "time_limit"},
+       [](auto& rows) { run_of(rows, "kepler", "heun", 1024).status = "step_underflow"; }, "step_underflow"},
   };
   return all;
 }
@@ -214,6 +214,9 @@ TEST(check, exit_codes_tell_failed_from_incomplete) {
   EXPECT_EQ(exit_code(gate(rows, rules)), 4) << "no reference solution";
   run_of(rows, "oscillator", "rk4", 64).errors->scaled = 2;
   EXPECT_EQ(exit_code(gate(rows, rules)), 1) << "a violation is told first";
+  rows = good_rows();
+  kepler_rk4(rows, 64).status = "time_limit";
+  EXPECT_EQ(exit_code(gate(rows, rules)), 3) << "a slow machine is no regression";
   EXPECT_THROW(gate(rows, rules, {}, {.only = "("}), std::invalid_argument);
 }
 

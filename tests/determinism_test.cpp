@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <thread>
 
 #include "bench/json_line.hpp"
@@ -43,7 +42,8 @@ TEST(Determinism, AProblemMadeTwiceIsTheSameProblem) {
   const auto a = suite_problem("damped_spring", "k=6e5,m=168,zeta=0.1"),
              b = suite_problem("damped_spring", "k=6e5,m=168,zeta=0.1");
   for (const auto& method : suite_methods())
-    EXPECT_EQ(to_json_line(run(method, a, request_of(method), "d")), to_json_line(run(method, b, request_of(method), "d")));
+    EXPECT_EQ(to_json_line(run(method, a, request_of(method), "d")),
+              to_json_line(run(method, b, request_of(method), "d")));
 }
 
 TEST(Determinism, ThreadsDoNotDisturbEachOther) {

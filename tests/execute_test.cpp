@@ -1,4 +1,5 @@
-// Executing a plan: same rows whatever the number of threads, resuming does what is missing, stopping loses nothing.
+// Executing a plan: same rows whatever the number of threads, resuming does what is missing, stopping loses
+// nothing.
 #include "bench/execute.hpp"
 
 #include <gtest/gtest.h>
@@ -139,7 +140,8 @@ TEST(Execute, ASinkThatCannotWriteEndsItAll) {
 TEST(Execute, TimesAreTakenOfRunsThatReachedTheEnd) {
   static const Registry registry{suite_methods(), suite_families()};
   PlanOptions chosen;
-  chosen.methods = "rk4,chapter_adaptive_euler", chosen.problems = "oscillator", chosen.dts = {0.5}, chosen.tolerances = {1e-2};
+  chosen.methods = "rk4,chapter_adaptive_euler", chosen.problems = "oscillator", chosen.dts = {0.5},
+  chosen.tolerances = {1e-2};
   for (const int jobs : {1, 2}) {
     ExecuteOptions options;
     options.jobs = jobs;

@@ -1,4 +1,5 @@
-// Numerical failure is a named status with a sane time, for every method; it never hangs and never is a number.
+// Numerical failure is a named status with a sane time, for every method; it never hangs and never is a
+// number.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,9 +27,9 @@ RunRequest controlled(double tolerance) {
   return request;
 }
 
-const std::set<std::string> known{"reached_end",     "step_limit", "step_underflow", "not_finite",
-                                  "newton_diverged", "time_limit", "rhs_failed",     "solver_failed",
-                                  "not_applicable"};
+const std::set<std::string> known{"reached_end", "step_limit",      "step_underflow",
+                                  "not_finite",  "newton_diverged", "time_limit",
+                                  "rhs_failed",  "solver_failed",   "not_applicable"};
 
 /// Every method of the suite under every control it takes.
 template <class F>
@@ -141,14 +142,14 @@ TEST(Failure, WhatDoesNotApplySaysWhy) {
   for (const auto& id : problem_ids(suite_families())) {
     const auto problem = suite_problem(id);
     for (const auto& method : suite_registry().methods)
-      for (const auto scalar : {ScalarType::float_type, ScalarType::double_type, ScalarType::long_double_type})
+      for (const auto scalar :
+           {ScalarType::float_type, ScalarType::double_type, ScalarType::long_double_type})
         for (const bool adaptive : {false, true}) {
           RunRequest request = adaptive ? controlled(1e-3) : fixed(1);
           request.scalar = scalar;
-          const bool possible =
-              missing_ability(method.needs, problem.abilities).empty() &&
-              (scalar == ScalarType::double_type || method.provider == "odemark") &&
-              (adaptive ? method.takes_error_control : method.takes_fixed_steps);
+          const bool possible = missing_ability(method.needs, problem.abilities).empty() &&
+                                (scalar == ScalarType::double_type || method.provider == "odemark") &&
+                                (adaptive ? method.takes_error_control : method.takes_fixed_steps);
           if (possible) continue;
           const Row row = run(method, problem, request, "failure");
           EXPECT_EQ(row.status, "not_applicable") << row.id;

@@ -33,9 +33,12 @@ TEST(Jacobian, WrittenEqualsDualNumbersEqualsDifferences) {
           const std::size_t at = column * n + row;
           const Wide difference = (above[row] - below[row]) / (2 * step);
           // in units of slope over state, so that a term lost beside a huge one is still missed
-          const double size = std::max(std::abs(to_double(dual[at])), 1e-6 * problem.scale[row] / problem.scale[column]);
-          EXPECT_NEAR(to_double(dual[at] - difference) / size, 0, 1e-12) << "row " << row << ", column " << column;
-          EXPECT_NEAR((written[at] - to_double(dual[at])) / size, 0, 1e-13) << "row " << row << ", column " << column;
+          const double size =
+              std::max(std::abs(to_double(dual[at])), 1e-6 * problem.scale[row] / problem.scale[column]);
+          EXPECT_NEAR(to_double(dual[at] - difference) / size, 0, 1e-12)
+              << "row " << row << ", column " << column;
+          EXPECT_NEAR((written[at] - to_double(dual[at])) / size, 0, 1e-13)
+              << "row " << row << ", column " << column;
         }
       }
     }

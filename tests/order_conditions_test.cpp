@@ -67,7 +67,8 @@ long symmetry(const std::vector<int>& levels) {
   for (std::size_t begin = 1; begin < levels.size();) {
     std::size_t end = begin + 1;
     while (end < levels.size() && levels[end] > levels[begin]) ++end;
-    const std::vector<int> child(levels.begin() + std::ptrdiff_t(begin), levels.begin() + std::ptrdiff_t(end));
+    const std::vector<int> child(levels.begin() + std::ptrdiff_t(begin),
+                                 levels.begin() + std::ptrdiff_t(end));
     equal = child == previous ? equal + 1 : 1;
     total *= equal * symmetry(child);
     previous = child;

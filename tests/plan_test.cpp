@@ -57,7 +57,10 @@ TEST(Plan, MistakesAreOneSentenceWithTheNearestName) {
 TEST(Plan, StepsAndTolerancesMustMakeSense) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const double dt : {0.0, -0.1, nan, -inf, inf})
-    EXPECT_THAT(complaint([&](auto& o) { o.dts = {0.1, dt}; }), HasSubstr("is no step: it must be a finite number"));
+    EXPECT_THAT(complaint([&](auto& o) {
+                  o.dts = {0.1, dt};
+                }),
+                HasSubstr("is no step: it must be a finite number"));
   EXPECT_THAT(complaint([](auto& o) { o.dts = {11}; }), HasSubstr("is longer than the 10 s of oscillator"));
   EXPECT_THAT(complaint([](auto& o) { o.dts = {1e-12}; }), HasSubstr("at most 1e9 are run"));
   for (const double tolerance : {0.0, 1.0, -1e-3, 2.0, nan})
@@ -131,7 +134,8 @@ TEST(Plan, OwnTolerancesGoToMethodsThatTakeThem) {
 
 TEST(Plan, ScalarsFilterAndCompensationReachTheRequests) {
   PlanOptions options = small();
-  options.problems = "oscillator", options.methods = "rk4,tsitouras54", options.dts = {0.5}, options.tolerances = {1e-3};
+  options.problems = "oscillator", options.methods = "rk4,tsitouras54", options.dts = {0.5},
+  options.tolerances = {1e-3};
   options.scalars = "float,long_double", options.compensated = true, options.filter = "h211b";
   int floats = 0, compensated = 0, controlled = 0;
   for (const auto& p : make_plan(registry(), options)) {
@@ -159,7 +163,8 @@ TEST(Plan, NothingIsAskedTwiceWhateverThePatterns) {
   PlanOptions options = small();
   options.problems = "oscillator,osc*,oscillator", options.methods = "rk4,rk*,rk4", options.dts = {0.5, 0.5};
   std::multiset<std::string> ids;
-  for (const auto& p : make_plan(registry(), options)) ids.insert(row_id(*p.method, *p.problem, p.request, p.plan));
+  for (const auto& p : make_plan(registry(), options))
+    ids.insert(row_id(*p.method, *p.problem, p.request, p.plan));
   for (const auto& id : ids) EXPECT_EQ(ids.count(id), 1u) << id;
 }
 

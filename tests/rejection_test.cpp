@@ -12,7 +12,8 @@ namespace {
 using System = ErasedSystem<double>;
 using State = System::State;
 
-/// Ten steps of size h; where `disturbed`, each is preceded by attempts of other sizes that are never accepted.
+/// Ten steps of size h; where `disturbed`, each is preceded by attempts of other sizes that are never
+/// accepted.
 template <const auto& method>
 std::vector<State> walk(const AnyProblem& problem, double h, bool disturbed) {
   const System& system = problem.system<double>();
@@ -63,9 +64,9 @@ void expect_no_trace_of(MethodList<methods...>, const std::vector<AnyProblem>& p
 }
 
 TEST(Rejection, LeavesNoTrace) {
-  const std::vector<AnyProblem> problems{probe::problem<probe::Driven>(), probe::problem<probe::DrivenDamped>(),
-                                         suite_problem("van_der_pol_mu1"), suite_problem("pendulum"),
-                                         suite_problem("stiff_spring")};
+  const std::vector<AnyProblem> problems{
+      probe::problem<probe::Driven>(), probe::problem<probe::DrivenDamped>(),
+      suite_problem("van_der_pol_mu1"), suite_problem("pendulum"), suite_problem("stiff_spring")};
   expect_no_trace_of(SuiteMethods{}, problems);
 }
 

@@ -82,19 +82,20 @@ TEST(Rows, ARowIsOneLine) {
 /// Files of this schema are read by others: a key that is renamed, dropped or moved needs a new schema.
 TEST(Rows, KeysAreStable) {
   EXPECT_EQ(row_schema, 1);
-  EXPECT_EQ(to_json_line(full_row()),
-            R"({"record":"run","id":"convergence/kepler_e06/rk4/double/steps=16","plan":"convergence",)"
-            R"("problem":"kepler_e06","family":"kepler","settings":"mu=2","method":"rk4",)"
-            R"("kind":"explicit Runge-Kutta","provider":"odemark","order":4,"embedded_order":3,)"
-            R"("scalar":"double","compensated":true,"steps":16,"dt":0.625,"rtol":0.001,"atol":1e-06,)"
-            R"("filter":"pi","status":"reached_end","reason":"a \"quoted\"\nreason","accepted":16,"rejected":2,)"
-            R"("t_end":10.0,"t_reached":10.0,"work":{"rhs":64,"acceleration":1,"jacobian":2,"series":3,"lu":4,)"
-            R"("newton":5,"evaluations":65},"errors":{"scaled":0.1,"absolute":0.2,"relative":0.3,"rms":0.4,)"
-            R"("trajectory_max":0.5,"trajectory_rms":0.6,"amplitude":-0.7,"phase":0.8},"truth_floor":1e-25,)"
-            R"("sensitivity":1e-15,"truth_digits":25.0,"drift":{"angular_momentum":0.0,"energy":0.001},)"
-            R"("timing":{"minimum_seconds":1e-06,"median_seconds":2e-06,"mad_seconds":1e-07,"repeats":7,)"
-            R"("ns_per_step":62.5,"ns_per_simulated_second":100.0,"tier":"static"},)"
-            R"("state_hash":"0123456789abcdef"})");
+  EXPECT_EQ(
+      to_json_line(full_row()),
+      R"({"record":"run","id":"convergence/kepler_e06/rk4/double/steps=16","plan":"convergence",)"
+      R"("problem":"kepler_e06","family":"kepler","settings":"mu=2","method":"rk4",)"
+      R"("kind":"explicit Runge-Kutta","provider":"odemark","order":4,"embedded_order":3,)"
+      R"("scalar":"double","compensated":true,"steps":16,"dt":0.625,"rtol":0.001,"atol":1e-06,)"
+      R"("filter":"pi","status":"reached_end","reason":"a \"quoted\"\nreason","accepted":16,"rejected":2,)"
+      R"("t_end":10.0,"t_reached":10.0,"work":{"rhs":64,"acceleration":1,"jacobian":2,"series":3,"lu":4,)"
+      R"("newton":5,"evaluations":65},"errors":{"scaled":0.1,"absolute":0.2,"relative":0.3,"rms":0.4,)"
+      R"("trajectory_max":0.5,"trajectory_rms":0.6,"amplitude":-0.7,"phase":0.8},"truth_floor":1e-25,)"
+      R"("sensitivity":1e-15,"truth_digits":25.0,"drift":{"angular_momentum":0.0,"energy":0.001},)"
+      R"("timing":{"minimum_seconds":1e-06,"median_seconds":2e-06,"mad_seconds":1e-07,"repeats":7,)"
+      R"("ns_per_step":62.5,"ns_per_simulated_second":100.0,"tier":"static"},)"
+      R"("state_hash":"0123456789abcdef"})");
 }
 
 TEST(Rows, NumbersComeBackToTheLastBit) {
@@ -135,7 +136,8 @@ TEST(Rows, AbsentFieldsStayAbsent) {
 
 TEST(Rows, StabilityRoundTrip) {
   StabilityRow row;
-  row.problem = "oscillator", row.family = "oscillator", row.method = "rk4", row.kind = "k", row.provider = "odemark";
+  row.problem = "oscillator", row.family = "oscillator", row.method = "rk4", row.kind = "k",
+  row.provider = "odemark";
   row.scalar = "double", row.verdict = "limit", row.measured = 2.5, row.theory = 2.8284271247461903;
   row.later_bands = {{3, 4}}, row.eigenvalues = {{0, 1}, {0, -1}};
   const auto results = parse_results(file_of(to_json_line(row) + "\n"), "rows");
@@ -165,10 +167,12 @@ std::string complaint(const std::string& text) {
 
 TEST(Rows, WhatCannotBeReadIsNamedByLine) {
   const std::string line = to_json_line(full_row()) + "\n";
-  EXPECT_THAT(complaint(file_of(line + "garbage\n" + line)), HasSubstr("out/results.jsonl:3: not a results line"));
+  EXPECT_THAT(complaint(file_of(line + "garbage\n" + line)),
+              HasSubstr("out/results.jsonl:3: not a results line"));
   EXPECT_THAT(complaint(file_of(line + "{\"record\":\"run\",\"id\":7}\n")), HasSubstr("results.jsonl:3:"));
   EXPECT_THAT(complaint(file_of("{\"record\":\"run\",\"id\":\"x\"}\n")), HasSubstr(":2: a run needs"));
-  EXPECT_THAT(complaint(file_of("{\"record\":\"dream\"}\n")), HasSubstr(":2: \"dream\" is no kind of record"));
+  EXPECT_THAT(complaint(file_of("{\"record\":\"dream\"}\n")),
+              HasSubstr(":2: \"dream\" is no kind of record"));
   EXPECT_THAT(complaint(line), HasSubstr(":1: the first line must be the header"));
   EXPECT_THAT(complaint(""), HasSubstr("empty, not a results file"));
   EXPECT_THAT(complaint("\n\n"), HasSubstr("empty, not a results file"));

@@ -49,7 +49,8 @@ TEST(Settings, AreReadAndWritten) {
 
 TEST(Settings, WhatIsNoSettingIsNamed) {
   for (const char* text : {"k", "k=", "=4", "k=4,", ",k=4", "k=4,,m=1", "   ,  "})
-    EXPECT_THAT(complaint([&] { parse_settings(text); }), HasSubstr("is not a setting: write name=value")) << text;
+    EXPECT_THAT(complaint([&] { parse_settings(text); }), HasSubstr("is not a setting: write name=value"))
+        << text;
   EXPECT_THAT(complaint([] { parse_settings("k=1,k=2"); }), HasSubstr("\"k\" is set twice"));
 }
 
@@ -60,16 +61,17 @@ TEST(Settings, NumbersAndQuotients) {
   EXPECT_EQ(parse_number("x", "8/3"), 8.0 / 3.0);
   EXPECT_EQ(parse_number("x", "1/60"), 1.0 / 60);
   EXPECT_EQ(parse_number("x", "-1/-4"), 0.25);
-  for (const char* text : {"", "one", "nan", "inf", "-inf", "1e999", "1/0", "1//2", "1/", "/2", "0x10", "1,5", "1 2",
-                           "1e", "--1", "++1", "1/2/3", "1e-308/1e308/1"})
+  for (const char* text : {"", "one", "nan", "inf", "-inf", "1e999", "1/0", "1//2", "1/", "/2", "0x10", "1,5",
+                           "1 2", "1e", "--1", "++1", "1/2/3", "1e-308/1e308/1"})
     EXPECT_THAT(complaint([&] { parse_number("zeta", text); }),
                 AllOf(HasSubstr("is no value for zeta"), HasSubstr("8/3")))
         << text;
 }
 
 TEST(Settings, UnknownParametersGetTheNearestName) {
-  EXPECT_THAT(complaint_about("damped_spring", "zetta=1"),
-              AllOf(HasSubstr("has no parameter \"zetta\""), HasSubstr("did you mean \"zeta\"?"), HasSubstr("k, m")));
+  EXPECT_THAT(
+      complaint_about("damped_spring", "zetta=1"),
+      AllOf(HasSubstr("has no parameter \"zetta\""), HasSubstr("did you mean \"zeta\"?"), HasSubstr("k, m")));
   EXPECT_THAT(complaint_about("damped_spring", "temperature=1"),
               AllOf(HasSubstr("has no parameter"), testing::Not(HasSubstr("did you mean"))));
 }
@@ -94,7 +96,8 @@ TEST(Settings, RangesHoldForEveryParameterOfEveryFamily) {
         }
       }
       if (std::isfinite(p.range.highest)) {
-        EXPECT_THAT(complaint_about(id, name + "=" + std::to_string(p.range.highest + 1)), HasSubstr("out of range"));
+        EXPECT_THAT(complaint_about(id, name + "=" + std::to_string(p.range.highest + 1)),
+                    HasSubstr("out of range"));
       }
     }
   EXPECT_THAT(complaint_about("kepler_e06", "e=1"), HasSubstr("it must be at least 0 and below 1"));
@@ -132,15 +135,14 @@ TEST(Settings, AProblemSaysWhatWasSet) {
   EXPECT_EQ(value_of(set, "k"), 4);
 }
 
-TEST(Settings, AFamilyStandsForItsFirstPreset) {
-  EXPECT_EQ(suite_problem("kepler").preset, "kepler_e00");
-}
+TEST(Settings, AFamilyStandsForItsFirstPreset) { EXPECT_EQ(suite_problem("kepler").preset, "kepler_e00"); }
 
 TEST(Settings, ContradictionsWithinAProblemAreRefused) {
   EXPECT_THAT(complaint_about("stiff_spring_undamped", "k=1,omega=1"), HasSubstr("its own frequency"));
 }
 
-/// 0.1 in the settings is 1/10 in wide arithmetic where inputs are exact, and the double next to it otherwise.
+/// 0.1 in the settings is 1/10 in wide arithmetic where inputs are exact, and the double next to it
+/// otherwise.
 TEST(Settings, WideValuesAreExactOrTheDoublesThatProgramsSee) {
   const auto problem = suite_problem("oscillator", "x0=0.1,v0=8/3");
   const WideProblem exact = widened(problem, true), rounded = widened(problem, false);

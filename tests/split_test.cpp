@@ -1,4 +1,5 @@
-// The parts of a right-hand side add up to it: drift and kick, linear part and rest, drive and undriven problem.
+// The parts of a right-hand side add up to it: drift and kick, linear part and rest, drive and undriven
+// problem.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,7 +102,8 @@ TEST(Split, TheLinearPartIsPartOfTheJacobian) {
     const std::size_t n = problem.size();
     std::vector<double> linear(n * n), jacobian(n * n);
     problem.system<double>().linear_part(MatrixView<double>{linear.data(), n});
-    problem.system<double>().jacobian(problem.t_begin, problem.initial, MatrixView<double>{jacobian.data(), n});
+    problem.system<double>().jacobian(problem.t_begin, problem.initial,
+                                      MatrixView<double>{jacobian.data(), n});
     if (problem.homogeneous) {
       EXPECT_EQ(linear, jacobian);
     }

@@ -13,7 +13,8 @@ namespace {
 bool mirrors(const Theory& theory) {
   if (theory.numerator.empty() || theory.numerator.size() != theory.denominator.size()) return false;
   for (std::size_t k = 0; k < theory.numerator.size(); ++k)
-    if (std::abs(double(theory.numerator[k] - (k % 2 ? -1 : 1) * theory.denominator[k])) > 1e-15) return false;
+    if (std::abs(double(theory.numerator[k] - (k % 2 ? -1 : 1) * theory.denominator[k])) > 1e-15)
+      return false;
   return true;
 }
 
@@ -42,8 +43,9 @@ double determinant(const AnyMethod& method, double h) {
 }
 
 TEST(Symplectic, TheExpectedOnesAreFound) {
-  for (const char* id : {"chapter_euler", "semi_implicit_euler", "stormer_verlet", "velocity_verlet_old_velocity",
-                         "yoshida4", "implicit_midpoint", "implicit_trapezoid"})
+  for (const char* id :
+       {"chapter_euler", "semi_implicit_euler", "stormer_verlet", "velocity_verlet_old_velocity", "yoshida4",
+        "implicit_midpoint", "implicit_trapezoid"})
     EXPECT_TRUE(conserves_area(suite_method(id))) << id;
   for (const char* id : {"stormer_verlet", "yoshida4", "implicit_midpoint", "implicit_trapezoid"})
     EXPECT_TRUE(is_symmetric(suite_method(id))) << id;
@@ -79,8 +81,7 @@ double step_and_back(const AnyMethod& method, const AnyProblem& problem, double 
 TEST(Symplectic, SymmetricMethodsStepBackToTheStart) {
   const auto pendulum = suite_problem("pendulum_rotating");
   for (const auto& method : suite_methods()) {
-    if (!is_one_step(method) || method.id == "exponential_euler" ||
-        !can_run<double>(method, pendulum))
+    if (!is_one_step(method) || method.id == "exponential_euler" || !can_run<double>(method, pendulum))
       continue;
     SCOPED_TRACE(method.id);
     const double gap = step_and_back(method, pendulum, 0.125);

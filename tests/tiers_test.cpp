@@ -1,12 +1,11 @@
 // The static tier ends in the same bits as the erased tier: every method on every family compiled statically.
-#include "bench/static_run.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
+#include "bench/static_run.hpp"
 #include "reference/bad_input.hpp"
 #include "tests/support/runs.hpp"
 
@@ -20,8 +19,8 @@ std::vector<AnyProblem> variants_of(const AnyFamily& family) {
   for (const auto& parameter : variants.front().parameters) {
     const double moved = parameter.value == 0 ? 0.0625 : parameter.value * 1.125;
     try {
-      variants.push_back(family.create(
-          family.presets.front(), {{std::string(parameter.name), fmt::format("{}", moved)}}));
+      variants.push_back(
+          family.create(family.presets.front(), {{std::string(parameter.name), fmt::format("{}", moved)}}));
     } catch (const BadInput&) {
       continue;  // out of its range
     }
@@ -93,7 +92,9 @@ TEST(Tiers, EveryApplicablePairOfAStaticFamilyIsThere) {
   for (const auto& family : suite_families()) {
     if (!static_families.contains(family.id)) continue;
     for (const auto& method : suite_methods()) {
-      const bool applies = missing_ability(method.needs, family.abilities).empty();
+      // the tape of a Taylor series is interpreted in either tier, so those stay in the erased one
+      const bool applies =
+          missing_ability(method.needs, family.abilities).empty() && method.kind != "Taylor series";
       EXPECT_EQ(find_static_run(family.id, method.id) != nullptr, applies) << family.id << "/" << method.id;
     }
   }

@@ -206,6 +206,14 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   add_format(doctor_app, doctor.format, {"text", "json"});
 
   try {
+    if (!arguments.empty() && !arguments[0].starts_with("-")) {
+      std::vector<std::string> commands;
+      for (const auto* command : app.get_subcommands([](CLI::App*) { return true; }))
+        commands.push_back(command->get_name());
+      if (std::find(commands.begin(), commands.end(), arguments[0]) == commands.end())
+        throw BadInput(fmt::format("there is no command \"{}\"{}: the commands are {}", arguments[0],
+                                   suggestion(arguments[0], commands), fmt::join(commands, ", ")));
+    }
     app.parse(argc, argv);
     run.plan.dts = dt_text.empty() ? std::vector<double>{} : parse_ladder("--dt", dt_text);
     run.plan.tolerances = tol_text.empty() ? std::vector<double>{} : parse_ladder("--tol", tol_text);

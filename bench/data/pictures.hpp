@@ -23,7 +23,7 @@ struct ProblemCard {
   std::vector<std::string> parameters;  // "k = 1 N/m"
   double t_end = 0, suggested_dt = 0;   // s
   bool in_seconds = false;              // a component has a unit per second: frames per second mean something
-  std::string truth;  // where the right answer comes from, in words; or why there is none
+  std::string truth;                    // where the right answer comes from, in words; or why there is none
 };
 
 /// What one problem does over time. Curves of one component each, or two of a plane.

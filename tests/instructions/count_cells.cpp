@@ -1,4 +1,5 @@
-// Runs every loop of the step cost for N and for 2N steps under callgrind, one dump each: the difference is N steps.
+// Runs every loop of the step cost for N and for 2N steps under callgrind, one dump each: the difference is N
+// steps.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -15,9 +16,11 @@ void count(const std::string& name, const std::function<double(long)>& loop) {
   if (!loop) return;
   double sum = loop(2 * steps);  // what happens once, like binding symbols, happens here
   for (const long n : {steps, 2 * steps}) {
+    const std::string label =
+        name + "/" + std::to_string(n);  // must outlive the macro, which keeps its address
     CALLGRIND_ZERO_STATS;
     sum += loop(n);
-    CALLGRIND_DUMP_STATS_AT((name + "/" + std::to_string(n)).c_str());
+    CALLGRIND_DUMP_STATS_AT(label.c_str());
   }
   std::printf("%s %.17g\n", name.c_str(), sum);
 }

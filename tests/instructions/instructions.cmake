@@ -2,6 +2,7 @@
 #   cmake -DPROGRAM=... -DVALGRIND=... -DWORK=... -DTABLE=... [-DUPDATE=ON] [-DPLANTED=ON] -P instructions.cmake
 # A step may cost 2 % more than the table says and 15 % more than the hand-written loop. UPDATE rewrites the table.
 # PLANTED measures an engine with a superfluous pass instead and succeeds only if both gates find it.
+cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 set(arguments)

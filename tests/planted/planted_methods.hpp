@@ -95,7 +95,6 @@ class CopiedStartStepper {
   bool empty_;
 };
 
-inline constexpr CopiedStart adams_copied_start{
-    .id = "adams_copied_start", .source = "planted", .order = 3};
+inline constexpr CopiedStart adams_copied_start{.id = "adams_copied_start", .source = "planted", .order = 3};
 
 }  // namespace odemark::planted

@@ -1,4 +1,5 @@
-// Prints the bits that a few methods end in: built at several -O levels and by several compilers, the lines must agree.
+// Prints the bits that a few methods end in: built at several -O levels and by several compilers, the lines
+// must agree.
 #include <cstdio>
 #include <cstring>
 

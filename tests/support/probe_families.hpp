@@ -16,19 +16,19 @@ namespace odemark::probe {
   static constexpr std::array presets{Preset{name, "", text}};                                \
   double suggested_dt() const { return 0.0625; }
 
-#define ODEMARK_SECOND_ORDER                                                             \
-  static constexpr std::size_t size = 2;                                                 \
-  static constexpr std::array<Component, size> components{{{"x", "m"}, {"v", "m/s"}}};   \
-  std::array<double, size> scale() const { return {1, 1}; }                              \
-  template <class T>                                                                     \
-  void rhs(const T& t, const T* y, T* dydt) const {                                      \
-    dydt[0] = y[1];                                                                      \
-    acceleration(t, y, &dydt[1]);                                                        \
-  }                                                                                      \
-  template <class T, class L>                                                            \
-  void linear_part(L&& l) const {                                                        \
-    /* half of it, so that the rest is never zero along the solution */                  \
-    l(0, 0) = T(0), l(0, 1) = T(1), l(1, 0) = T(-0.5), l(1, 1) = T(0);                   \
+#define ODEMARK_SECOND_ORDER                                                           \
+  static constexpr std::size_t size = 2;                                               \
+  static constexpr std::array<Component, size> components{{{"x", "m"}, {"v", "m/s"}}}; \
+  std::array<double, size> scale() const { return {1, 1}; }                            \
+  template <class T>                                                                   \
+  void rhs(const T& t, const T* y, T* dydt) const {                                    \
+    dydt[0] = y[1];                                                                    \
+    acceleration(t, y, &dydt[1]);                                                      \
+  }                                                                                    \
+  template <class T, class L>                                                          \
+  void linear_part(L&& l) const {                                                      \
+    /* half of it, so that the rest is never zero along the solution */                \
+    l(0, 0) = T(0), l(0, 1) = T(1), l(1, 0) = T(-0.5), l(1, 1) = T(0);                 \
   }
 
 /// Nonlinear and driven; the solution is x = sin t, whatever t_end.

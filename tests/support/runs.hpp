@@ -27,8 +27,7 @@ template <class T = double>
 End<T> solve(const AnyMethod& method, const AnyProblem& problem, const Control& control) {
   End<T> end;
   for (const double x : problem.initial) end.y.push_back(static_cast<T>(x));
-  end.report =
-      method.runs<T>().solve(problem.system<T>(), control, problem.t_begin, problem.t_end, end.y);
+  end.report = method.runs<T>().solve(problem.system<T>(), control, problem.t_begin, problem.t_end, end.y);
   return end;
 }
 

@@ -13,18 +13,26 @@ struct StrictFloat {
   StrictFloat() = default;
   constexpr StrictFloat(int whole) : value(static_cast<float>(whole)) {}
   template <class U>
-  requires std::is_arithmetic_v<U> constexpr explicit StrictFloat(U constant)
-      : value(static_cast<float>(constant)) {}
+  requires std::is_arithmetic_v<U>
+  constexpr explicit StrictFloat(U constant) : value(static_cast<float>(constant)) {}
 
   StrictFloat operator-() const { return StrictFloat(-value); }
   StrictFloat& operator+=(StrictFloat o) { return *this = *this + o; }
   StrictFloat& operator-=(StrictFloat o) { return *this = *this - o; }
   StrictFloat& operator*=(StrictFloat o) { return *this = *this * o; }
   StrictFloat& operator/=(StrictFloat o) { return *this = *this / o; }
-  friend StrictFloat operator+(StrictFloat a, StrictFloat b) { return StrictFloat(rounded(a.value + b.value)); }
-  friend StrictFloat operator-(StrictFloat a, StrictFloat b) { return StrictFloat(rounded(a.value - b.value)); }
-  friend StrictFloat operator*(StrictFloat a, StrictFloat b) { return StrictFloat(rounded(a.value * b.value)); }
-  friend StrictFloat operator/(StrictFloat a, StrictFloat b) { return StrictFloat(rounded(a.value / b.value)); }
+  friend StrictFloat operator+(StrictFloat a, StrictFloat b) {
+    return StrictFloat(rounded(a.value + b.value));
+  }
+  friend StrictFloat operator-(StrictFloat a, StrictFloat b) {
+    return StrictFloat(rounded(a.value - b.value));
+  }
+  friend StrictFloat operator*(StrictFloat a, StrictFloat b) {
+    return StrictFloat(rounded(a.value * b.value));
+  }
+  friend StrictFloat operator/(StrictFloat a, StrictFloat b) {
+    return StrictFloat(rounded(a.value / b.value));
+  }
   friend bool operator<(StrictFloat a, StrictFloat b) { return a.value < b.value; }
   friend bool operator==(StrictFloat a, StrictFloat b) { return a.value == b.value; }
   friend StrictFloat sqrt(StrictFloat x) { return StrictFloat(std::sqrt(x.value)); }
