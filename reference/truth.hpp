@@ -25,19 +25,21 @@ struct TruthPoint {
   int digits = 0;                  // certified digits of the worst component, in units of the problem's scale
   /// Largest change of a component, in units of its scale, when one component of y(0) moves by one ulp of
   /// double (a component that starts at 0: by one ulp of its scale). No double integrator can be expected to
-  /// do better. NaN where it could not be measured in the time allowed.
+  /// do better.
   double sensitivity = 0;
 };
 
-/// A certificate: both origins agree to the bounds stated.
+/// A certificate: both origins agree to the bounds stated. They share the right-hand side and nothing else.
 struct Truth {
-  std::string problem;             // AnyProblem::id
-  std::string origin, checked_by;  // "closed form", "Taylor series of order 52", ...
-  bool exact_inputs = false;       // settings at their full decimal value; otherwise rounded to double first
-  bool stored = false;             // read from the stored solutions
-  double seconds = 0;              // spent to compute it
-  int digits = 0;                  // of the worst point
-  std::vector<TruthPoint> points;  // what `origin` found, ascending in t
+  std::string problem;  // AnyProblem::id
+  std::string origin,
+      checked_by;  // "closed form", "Taylor series of order 54", ...; `points` hold what `origin` found
+  bool exact_inputs =
+      false;            // every decimal of the settings at full value; otherwise rounded to double first
+  bool stored = false;  // read from the stored solutions
+  double seconds = 0;   // spent to compute it
+  int digits = 0;       // of the worst point
+  std::vector<TruthPoint> points;  // ascending in t
 
   const TruthPoint& last() const { return points.back(); }
 };
@@ -48,10 +50,9 @@ inline long double difference(long double y, const TruthValue& truth) { return (
 
 /// What could not be certified, in one sentence.
 struct TruthUnavailable : std::runtime_error {
-  TruthUnavailable(const std::string& sentence, int digits, bool not_finished = false)
-      : std::runtime_error(sentence), digits_reached(digits), unfinished(not_finished) {}
+  TruthUnavailable(const std::string& sentence, int digits)
+      : std::runtime_error(sentence), digits_reached(digits) {}
   int digits_reached;  // of the two computations that disagree; 0 where none was finished
-  bool unfinished;     // the computations asked for came to no end; those that did were less accurate
 };
 
 struct CertifyOptions {

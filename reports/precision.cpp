@@ -20,7 +20,7 @@ namespace {
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr std::array<std::string_view, 3> wanted{"explicit_euler", "rk4", "taylor8"};
+constexpr std::array<std::string_view, 4> wanted{"explicit_euler", "heun", "rk4", "taylor8"};
 
 struct NumberKind {
   std::string_view scalar, name;
