@@ -1,5 +1,5 @@
 # Reads integrators/catalogue.txt and problems/catalogue.txt and writes what follows from them: one unit per file of methods,
-# one per family, and for the static tier one per family and chunk of methods. A method or a family is one file and
+# one per family, and for the static tier one per `static` family and chunk of `static` methods. A method or a family is one file and
 # one line; nothing else names them.
 set(ODEMARK_GENERATED ${PROJECT_BINARY_DIR}/generated)
 
@@ -13,8 +13,13 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/integrators/catalogue.txt ${PROJECT_SOURCE_DIR}/problems/catalogue.txt)
 file(STRINGS ${PROJECT_SOURCE_DIR}/integrators/catalogue.txt lines REGEX "^[a-z]")
 set(ODEMARK_METHODS)
+set(ODEMARK_STATIC_METHODS)
 foreach(line ${lines})
   string(STRIP "${line}" line)
+  if(line MATCHES "^([a-z0-9_]+) +static$")
+    set(line ${CMAKE_MATCH_1})
+    list(APPEND ODEMARK_STATIC_METHODS ${line})
+  endif()
   if(line MATCHES "^([a-z0-9_]+)\\[([0-9]+)\\.\\.([0-9]+)\\]$")
     foreach(n RANGE ${CMAKE_MATCH_2} ${CMAKE_MATCH_3})
       list(APPEND ODEMARK_METHODS ${CMAKE_MATCH_1}${n})
@@ -24,7 +29,7 @@ foreach(line ${lines})
     list(APPEND ODEMARK_METHODS ${line})
     set(file_of_${line} ${line})
   else()
-    message(FATAL_ERROR "integrators/catalogue.txt: cannot read \"${line}\"; write an id, or name[first..last]")
+    message(FATAL_ERROR "integrators/catalogue.txt: cannot read \"${line}\"; write an id, an id and `static`, or name[first..last]")
   endif()
 endforeach()
 
@@ -82,15 +87,6 @@ ${calls}    return methods;
 ")
 list(APPEND ODEMARK_METHOD_UNITS ${ODEMARK_GENERATED}/suite_methods.cpp)
 
-# Numbered families of methods (taylor[1..20]) stay in the erased tier: their tape is interpreted either way.
-set(ODEMARK_STATIC_METHODS)
-foreach(method ${ODEMARK_METHODS})
-  if(NOT file_of_${method} STREQUAL method)
-    continue()  # a family of methods in one file
-  endif()
-  list(APPEND ODEMARK_STATIC_METHODS ${method})
-endforeach()
-
 # families
 file(STRINGS ${PROJECT_SOURCE_DIR}/problems/catalogue.txt lines REGEX "^[a-z]")
 set(declarations "")
@@ -138,7 +134,7 @@ WideFamily wide_${id}() { return make_wide_family<${type}>(); }
 ")
   list(APPEND ODEMARK_FAMILY_UNITS ${ODEMARK_GENERATED}/families/${id}.cpp)
   list(APPEND ODEMARK_WIDE_UNITS ${ODEMARK_GENERATED}/wide/${id}.cpp)
-  if(tier)
+  if(tier AND ODEMARK_STATIC_TIER)
     list(APPEND ODEMARK_STATIC_FAMILIES ${id})
     set(chunk "")
     set(chunk_number 0)

@@ -17,6 +17,8 @@ endif()
 
 file(GLOB cli_sources CONFIGURE_DEPENDS bench/cli/*.cpp)
 odemark_library(main SOURCES ${cli_sources} LINK odemark::bench odemark::reports)
+odemark_compile_lightly(${cli_sources})
+odemark_precompile(odemark_main ${ODEMARK_COMMON_HEADERS})
 target_link_libraries(odemark_main PRIVATE $<BUILD_INTERFACE:CLI11::CLI11>)
 if(TARGET odemark_step_cost)
   target_link_libraries(odemark_main PUBLIC odemark::step_cost)

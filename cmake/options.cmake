@@ -3,13 +3,15 @@ option(ODEMARK_WITH_SUNDIALS "CVODE and ARKODE as contestants" ON)
 option(ODEMARK_WITH_GSL "GSL's odeiv2 as contestants (GPL-3: affects the licence of the binary)" ON)
 option(ODEMARK_WITH_ODEINT "Boost.odeint as contestants" ON)
 option(ODEMARK_NATIVE "Peak speed: -march=native with contraction; rows say so and are never compared bit for bit" OFF)
+option(ODEMARK_STATIC_TIER "Compile the methods marked static into the steps of the families marked static" ON)
+option(ODEMARK_PCH "Precompile the headers that most files share" ON)
 option(ODEMARK_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
 # repeated builds in a tenth of the time, where ccache is installed
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(ODEMARK_CCACHE ccache)
   if(ODEMARK_CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${ODEMARK_CCACHE})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${ODEMARK_CCACHE})
   endif()
 endif()
 

@@ -41,7 +41,7 @@ std::string markdown_cell(const Cell& cell) {
   return fmt::format("[{}]({})", text, target);
 }
 
-std::string quoted(std::string_view field) {
+std::string csv_field(std::string_view field) {
   const bool plain = field.find_first_of(",\"\r\n") == field.npos &&
                      (field.empty() || (field.front() != ' ' && field.back() != ' '));
   if (plain) return std::string(field);
@@ -123,10 +123,10 @@ std::string to_markdown(const Table& table) {
 std::string to_csv(const Table& table) {
   std::string out;
   for (std::size_t i = 0; i < table.columns.size(); ++i)
-    out += (i > 0 ? "," : "") + quoted(header_text(table.columns[i]));
+    out += (i > 0 ? "," : "") + csv_field(header_text(table.columns[i]));
   out += "\r\n";
   for (const auto& row : full_rows(table)) {
-    for (std::size_t i = 0; i < row.size(); ++i) out += (i > 0 ? "," : "") + quoted(row[i].text);
+    for (std::size_t i = 0; i < row.size(); ++i) out += (i > 0 ? "," : "") + csv_field(row[i].text);
     out += "\r\n";
   }
   return out;
