@@ -32,7 +32,7 @@ struct DiagonallyImplicitRungeKutta {
   }
   /// The last stage is the new state: nothing is lost where f is stiff.
   constexpr bool stiffly_accurate() const { return a[Stages - 1] == b; }
-  Theory theory() const { return runge_kutta_theory(a, b); }
+  Theory theory() const { return runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr); }
 
   template <const auto& method, System P>
   using Stepper = DiagonallyImplicitRungeKuttaStepper<method, P>;

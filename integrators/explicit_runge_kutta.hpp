@@ -30,7 +30,7 @@ struct ExplicitRungeKutta {
   }
   constexpr bool first_same_as_last() const { return Stages > 1 && a[Stages - 1] == b; }
   constexpr bool has_error_estimate() const { return embedded_order > 0; }
-  Theory theory() const { return runge_kutta_theory(a, b); }
+  Theory theory() const { return runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr); }
 
   template <const auto& method, System P>
   using Stepper = ExplicitRungeKuttaStepper<method, P>;

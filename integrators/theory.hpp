@@ -23,20 +23,31 @@ struct SecondOrderMove {
   Coefficient weight;
 };
 
-/// Exactly one of the members is filled; which one says how the method acts on y' = lambda y.
+/// The coefficients of a one-step method as plain data, row by row; `stages` 0 where there are none.
+struct Tableau {
+  std::size_t stages = 0;
+  std::vector<Coefficient> a, b, b_embedded;  // b_embedded empty: no error estimate
+  std::vector<Coefficient> gamma;             // Rosenbrock: Gamma with its diagonal, a is alpha; else empty
+};
+
+/// Exactly one of the members but `tableau` is filled; which one says how the method acts on y' = lambda y.
 struct Theory {
   std::vector<Coefficient> numerator, denominator;  // R(z) = numerator / denominator, ascending powers
   std::vector<Coefficient> rho, sigma;              // multistep: rho(w) - z sigma(w), ascending powers
-  std::vector<SecondOrderMove> moves;               // acts on (x, v) as a 2x2 matrix
-  bool exact_on_linear_part = false;                // exponential methods: R = exp(h L)
-  std::string_view blank_reason = "";               // why nothing can be said, where nothing can
+  /// Multistep beyond rho - z sigma (PECE): the coefficient of z^k w^j is characteristic[k][j].
+  std::vector<std::vector<Coefficient>> characteristic;
+  std::vector<SecondOrderMove> moves;  // acts on (x, v) as a 2x2 matrix
+  bool exact_on_linear_part = false;   // exponential methods: R = exp(h L)
+  Tableau tableau;                     // what numerator and denominator come from, where they come from one
+  std::string_view blank_reason = "";  // why nothing can be said, where nothing can
 };
 
 /// R(z) = det(I - zA + z 1 b') / det(I - zA) (Hairer & Wanner, Solving ODEs II, IV.3), both by the
 /// Faddeev-LeVerrier recursion. For strictly lower triangular A the denominator is 1.
 template <std::size_t S>
 Theory runge_kutta_theory(const std::array<std::array<Coefficient, S>, S>& a,
-                          const std::array<Coefficient, S>& b) {
+                          const std::array<Coefficient, S>& b,
+                          const std::array<Coefficient, S>* b_embedded = nullptr) {
   using Matrix = std::array<std::array<Coefficient, S>, S>;
   // det(I - z M) = sum_k q_k z^k with q_k the coefficients of the characteristic polynomial of M
   const auto determinant = [](const Matrix& m) {
@@ -62,6 +73,10 @@ Theory runge_kutta_theory(const std::array<std::array<Coefficient, S>, S>& a,
   Theory theory;
   theory.numerator = determinant(shifted);
   theory.denominator = determinant(a);
+  theory.tableau.stages = S;
+  for (const auto& row : a) theory.tableau.a.insert(theory.tableau.a.end(), row.begin(), row.end());
+  theory.tableau.b.assign(b.begin(), b.end());
+  if (b_embedded) theory.tableau.b_embedded.assign(b_embedded->begin(), b_embedded->end());
   // powers beyond the degree are rounding noise of the recursion, not coefficients
   for (auto* polynomial : {&theory.numerator, &theory.denominator})
     while (polynomial->size() > 1 && polynomial->back() < 1e-16L && polynomial->back() > -1e-16L)
