@@ -48,9 +48,10 @@ std::string to_html(const Table& table) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       fmt::format_to(std::back_inserter(out), "<td{}", classes(table.columns[c].align, row[c].status));
       if (row[c].sort) fmt::format_to(std::back_inserter(out), " data-sort=\"{}\"", *row[c].sort);
-      fmt::format_to(std::back_inserter(out), ">{}</td>", cell_html(row[c]));
+      // end tags of cells and rows are optional in HTML, and would be a tenth of a page of tables
+      fmt::format_to(std::back_inserter(out), ">{}", cell_html(row[c]));
     }
-    out += "</tr>\n";
+    out += "\n";
   }
   out += "</tbody>\n</table>\n</div>\n";
   if (!table.note.empty())
