@@ -54,7 +54,7 @@ template <std::size_t S>
 constexpr int nystrom_order(const std::array<std::array<Coefficient, S>, S>& a,
                             const std::array<Coefficient, S>& c, const std::array<Coefficient, S>& b_position,
                             const std::array<Coefficient, S>& b_velocity, int highest,
-                            Coefficient tolerance = 1e-17L * Coefficient(S)) {
+                            Coefficient tolerance = 1e-18L * Coefficient(S)) {
   const NystromTrees trees(highest);
   std::array<std::array<Coefficient, S>, NystromTrees::most> weight{}, magnitude{};
   int position_order = highest, velocity_order = highest;

@@ -34,7 +34,7 @@ constexpr int separable_order(const Splitting<Length>& m, int highest) {
   for (int n = 1; n <= highest; ++n) {
     factorial *= Coefficient(n);
     for (std::size_t word = std::size_t(1) << n; word < std::size_t(2) << n; ++word) {
-      const Coefficient gap = series[word] - 1 / factorial, scale = 1e-17L * (size[word] + 1 / factorial);
+      const Coefficient gap = series[word] - 1 / factorial, scale = 4e-18L * (size[word] + 1 / factorial);
       if (!(gap <= scale && gap >= -scale)) return n - 1;
     }
   }

@@ -105,7 +105,7 @@ template <class Method>
 Theory nystrom_theory(const Method& m) {
   constexpr std::size_t S = Method::stages;
   using Polynomial = std::vector<Coefficient>;
-  const auto combined = [](Coefficient constant, const auto& weights, const std::vector<Polynomial>& of) {
+  const auto combined = [&](Coefficient constant, const auto& weights, const std::vector<Polynomial>& of) {
     Polynomial sum(S + 1, 0);
     sum[0] = constant;
     for (std::size_t j = 0; j < of.size(); ++j)

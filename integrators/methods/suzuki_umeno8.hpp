@@ -24,6 +24,7 @@ inline constexpr Splitting<16> suzuki_umeno8{
     .note = "order 1 where the force depends on velocity",
     .advice = "order 8 with the fewest forces a step, 15; kahan_li8 errs less for two more",
 };
-static_assert(suzuki_umeno8.consistent());  // its order takes too long to prove here: order_conditions_test does
+static_assert(
+    suzuki_umeno8.consistent());  // its order takes too long to prove here: order_conditions_test does
 
 }  // namespace odemark
