@@ -5,13 +5,14 @@
 
 namespace odemark {
 
-inline constexpr int highest_nystrom_order = 9;
-
 /// Special Nystrom trees (HNW I, II.14): the root is an acceleration; its branches are velocities, which end
 /// there and count 1, or accelerations by way of a velocity, which count 1 more than their own tree.
 /// Tree k of the table has `velocities` ended branches and, in child[first .. first + children), the rest.
+/// Highest 9 is enough for most and cheap at compile time; 13 is the most.
+template <int Highest = 9>
 struct NystromTrees {
-  static constexpr std::size_t most = 256, most_children = 640;
+  static_assert(Highest == 9 || Highest == 13);
+  static constexpr std::size_t most = Highest == 9 ? 151 : 2202, most_children = 3 * most;
   std::array<int, most> order{}, velocities{};
   std::array<std::size_t, most> first{}, children{};
   std::array<std::size_t, most_children> child{};
@@ -19,9 +20,10 @@ struct NystromTrees {
   /// What the elementary weight of a tree of order r is on the exact solution, as a multiple of s^(r-1).
   std::array<Coefficient, most> exact{};
 
+  /// Those of up to `highest` <= Highest.
   explicit constexpr NystromTrees(int highest) {
     for (int n = 1; n <= highest; ++n) {
-      std::array<std::size_t, highest_nystrom_order> chosen{};
+      std::array<std::size_t, Highest> chosen{};
       add(n, n - 1, count, chosen, 0);
     }
   }
@@ -29,8 +31,8 @@ struct NystromTrees {
  private:
   /// All ways to fill `rest` with branches that are no later in the table than the one before (`below` the
   /// next index allowed + 1): every multiset once.
-  constexpr void add(int n, int rest, std::size_t below,
-                     std::array<std::size_t, highest_nystrom_order>& chosen, std::size_t depth) {
+  constexpr void add(int n, int rest, std::size_t below, std::array<std::size_t, Highest>& chosen,
+                     std::size_t depth) {
     order[count] = n, velocities[count] = rest, first[count] = used, children[count] = depth;
     exact[count] = 1;
     for (std::size_t i = 0; i < depth; ++i) {
@@ -50,13 +52,13 @@ struct NystromTrees {
 /// The order up to which both rows of weights meet every condition: sum b_velocity Phi = exact / r for trees
 /// of order r <= p, sum b_position Phi = exact / (r (r + 1)) for r < p. `tolerance` is relative to the sum of
 /// the absolute values of what is added. Looks up to `highest`.
-template <std::size_t S>
+template <int Highest = 9, std::size_t S>
 constexpr int nystrom_order(const std::array<std::array<Coefficient, S>, S>& a,
                             const std::array<Coefficient, S>& c, const std::array<Coefficient, S>& b_position,
                             const std::array<Coefficient, S>& b_velocity, int highest,
                             Coefficient tolerance = 1e-18L * Coefficient(S)) {
-  const NystromTrees trees(highest);
-  std::array<std::array<Coefficient, S>, NystromTrees::most> weight{}, magnitude{};
+  const NystromTrees<Highest> trees(highest);
+  std::array<std::array<Coefficient, S>, NystromTrees<Highest>::most> weight{}, magnitude{};
   int position_order = highest, velocity_order = highest;
   const auto absolute = [](Coefficient x) { return x < 0 ? -x : x; };
   for (std::size_t k = 0; k < trees.count; ++k) {

@@ -8,12 +8,12 @@ namespace odemark {
 
 /// For any two flows, that is any H = T(v) + V(x): the product of the exponentials as a series of words in A
 /// (drift) and B (kick), cut after `highest` letters, against exp(A + B), in which every word of n letters
-/// has the coefficient 1/n! (the conditions of HLW, Geometric Numerical Integration, III.5, all at once; the
-/// words that are no Lyndon words follow from the others and do no harm).
+/// has the coefficient 1/n!; `highest` is at most 9 (the conditions of HLW, Geometric Numerical Integration,
+/// III.5, all at once; the words that are no Lyndon words follow from the others and do no harm).
 template <std::size_t Length>
 constexpr int separable_order(const Splitting<Length>& m, int highest) {
   // a word of n letters is the number whose bits it is, last letter lowest, below a leading 1
-  constexpr std::size_t most = std::size_t(2) << highest_nystrom_order;
+  constexpr std::size_t most = std::size_t(2) << 9;
   std::array<Coefficient, most> series{}, size{};
   series[1] = size[1] = 1;
   const std::size_t words = std::size_t(2) << highest;

@@ -37,6 +37,6 @@ inline constexpr Nystrom<9> rkn_dormand_prince86{
         "orbits and other smooth forces without velocity at 1e-8 to 1e-13 with error control; not for kinks "
         "or damped springs",
 };
-static_assert(orders_hold(rkn_dormand_prince86));
+// its orders take clang too long to prove here: order_conditions_test does
 
 }  // namespace odemark
