@@ -51,12 +51,13 @@ struct NystromTrees {
 
 /// The order up to which both rows of weights meet every condition: sum b_velocity Phi = exact / r for trees
 /// of order r <= p, sum b_position Phi = exact / (r (r + 1)) for r < p. `tolerance` is relative to the sum of
-/// the absolute values of what is added. Looks up to `highest`.
+/// the absolute values of what is added. Looks up to `highest` <= Highest. Not inlined: its tables are large.
 template <int Highest = 9, std::size_t S>
-constexpr int nystrom_order(const std::array<std::array<Coefficient, S>, S>& a,
-                            const std::array<Coefficient, S>& c, const std::array<Coefficient, S>& b_position,
-                            const std::array<Coefficient, S>& b_velocity, int highest,
-                            Coefficient tolerance = 1e-18L * Coefficient(S)) {
+[[gnu::noinline]] constexpr int nystrom_order(const std::array<std::array<Coefficient, S>, S>& a,
+                                              const std::array<Coefficient, S>& c,
+                                              const std::array<Coefficient, S>& b_position,
+                                              const std::array<Coefficient, S>& b_velocity, int highest,
+                                              Coefficient tolerance = 1e-18L * Coefficient(S)) {
   const NystromTrees<Highest> trees(highest);
   std::array<std::array<Coefficient, S>, NystromTrees<Highest>::most> weight{}, magnitude{};
   int position_order = highest, velocity_order = highest;
@@ -102,9 +103,11 @@ constexpr bool orders_hold(const Method& m) {
     for (std::size_t j = 0; j < Method::stages; ++j) sum += m.a[i][j];
     if (!(sum <= 1e-17L && sum >= -1e-17L)) return false;
   }
-  return nystrom_order(m.a, m.c, m.b_position, m.b_velocity, m.order + 1) == m.order &&
-         (m.embedded_order == 0 || nystrom_order(m.a, m.c, m.b_position_embedded, m.b_velocity_embedded,
-                                                 m.embedded_order + 1) == m.embedded_order);
+  constexpr int highest = Method::stages > 9 ? 13 : 9;
+  return nystrom_order<highest>(m.a, m.c, m.b_position, m.b_velocity, m.order + 1) == m.order &&
+         (m.embedded_order == 0 ||
+          nystrom_order<highest>(m.a, m.c, m.b_position_embedded, m.b_velocity_embedded,
+                                 m.embedded_order + 1) == m.embedded_order);
 }
 
 }  // namespace odemark
