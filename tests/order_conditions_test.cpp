@@ -1,12 +1,14 @@
-// Rooted trees are counted right, and every tableau has exactly the orders it claims.
+// Trees are counted right, and every tableau and every splitting has exactly the orders it claims.
 #include "integrators/order_conditions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "integrators/catalogue.hpp"
+#include "tests/support/runs.hpp"
 
 namespace odemark {
 namespace {
@@ -110,6 +112,99 @@ TEST(OrderConditions, SymmetriesSumToTheTreesOfEveryLabelling) {
 TEST(OrderConditions, TheTsitourasEmbeddingIsThePublishedOne) {
   EXPECT_NEAR(principal_error_norm(tsitouras54.a, tsitouras54.b_embedded, 4), 1.065e-3, 0.001e-3);
   EXPECT_LT(principal_error_norm(tsitouras54.a, tsitouras54.b, 5), 2e-4);
+}
+
+template <class M>
+concept IsSplitting = requires(const M& m) {
+  m.drift, m.kick;
+};
+
+TEST(OrderConditions, SpecialNystromTreesAreCountedRight) {
+  const int expected[] = {1, 1, 2, 3, 6, 10, 20, 36, 72, 137, 275, 541, 1098};  // HNW I, II.14, table 14.3
+  const auto trees = [](int highest) { return NystromTrees<13>(highest); }(std::size(expected));
+  std::array<int, 14> count{};
+  for (std::size_t k = 0; k < trees.count; ++k) ++count[std::size_t(trees.order[k])];
+  for (std::size_t n = 1; n <= 13; ++n) EXPECT_EQ(count[n], expected[n - 1]) << n;
+  EXPECT_EQ(trees.count, trees.most);
+  EXPECT_LE(trees.used, trees.most_children);
+}
+
+TEST(OrderConditions, EverySplittingHasExactlyItsOrder) {
+  std::map<std::string_view, int> separable;
+  for_each_method(SuiteMethods{}, [&](const auto& method) {
+    if constexpr (IsSplitting<std::remove_cvref_t<decltype(method)>>) {
+      SCOPED_TRACE(method.id);
+      EXPECT_EQ(splitting_order(method, method.order + 1), method.order);
+      separable[method.id] = separable_order(method, method.order + 1);
+      Coefficient drifts = 0, kicks = 0;
+      for (const Coefficient w : method.drift) drifts += w;
+      for (const Coefficient w : method.kick) kicks += w;
+      EXPECT_LE(std::abs(drifts - 1), 1e-18L);
+      EXPECT_LE(std::abs(kicks - 1), 1e-18L);
+    }
+  });
+  EXPECT_GE(separable.size(), 21u);
+  // what holds for quadratic kinetic energy only, by two independent proofs; all others hold for any split
+  for (const auto& [id, order] : separable) {
+    const std::map<std::string_view, int> lower{
+        {"mclachlan_atela4", 3}, {"calvo_sanz_serna4", 3}, {"blanes_moan_rkn6", 4}};
+    const auto found = lower.find(id);
+    EXPECT_EQ(order, found == lower.end() ? suite_method(id).order : found->second) << id;
+  }
+}
+
+TEST(OrderConditions, EveryNystromMethodHasExactlyItsOrders) {
+  int methods = 0;
+  for_each_method(SuiteMethods{}, [&](const auto& method) {
+    if constexpr (requires { method.b_position_embedded; }) {
+      SCOPED_TRACE(method.id);
+      ++methods;
+      EXPECT_TRUE(orders_hold(method));
+    }
+  });
+  EXPECT_GE(methods, 5);
+}
+
+/// Changing the last digits that a double would not hold is noticed, and swapping what belongs to x and to v.
+TEST(OrderConditions, OneWrongDigitOfASplittingIsSeen) {
+  for (const Coefficient slip : {1e-3L, 1e-8L, 1e-13L, 2e-16L}) {
+    SCOPED_TRACE(double(slip));
+    // keeps the sums, so that only the order conditions can tell
+    const auto spoil = [&](auto m) {
+      m.kick[1] += slip, m.kick[2] -= slip;
+      return m;
+    };
+    EXPECT_TRUE(spoil(blanes_moan4).consistent());
+    EXPECT_EQ(splitting_order(spoil(blanes_moan4), 5), slip > 1e-15L ? 1 : 2);
+    EXPECT_LT(splitting_order(spoil(kahan_li6), 7), 3);
+    EXPECT_LT(splitting_order(spoil(yoshida8), 9), 3);
+    EXPECT_LT(separable_order(spoil(kahan_li6), 7), 3);
+    auto lost = pefrl;
+    lost.drift[2] += slip;
+    EXPECT_EQ(splitting_order(lost, 5), 0);
+    EXPECT_FALSE(orders_hold(lost));
+  }
+  // the coefficients as printed, to 15 digits, have a floor that these proofs see
+  auto printed = blanes_moan6;
+  printed.kick = mirrored<11, 10>(std::array<Coefficient, 4>{0.148816447901042L, -0.132385865767784L,
+                                                             0.067307604692185L, 0.432666402578175L});
+  EXPECT_TRUE(printed.consistent());
+  EXPECT_LT(splitting_order(printed, 7), 6);
+}
+
+TEST(OrderConditions, OneWrongDigitOfANystromMethodIsSeen) {
+  auto wrong = rkn_dormand_prince64;
+  wrong.a[4][2] = 65568.0L / 281250;
+  EXPECT_FALSE(orders_hold(wrong));
+  wrong = rkn_dormand_prince64;
+  std::swap(wrong.b_position, wrong.b_velocity);
+  EXPECT_FALSE(orders_hold(wrong));
+  auto estimate = rkn_dormand_prince86;
+  estimate.b_velocity_embedded[8] = -3.0L / 20;
+  EXPECT_FALSE(orders_hold(estimate));
+  auto misplaced = rkn_dormand_prince86;
+  std::swap(misplaced.c[4], misplaced.c[5]);
+  EXPECT_FALSE(orders_hold(misplaced));
 }
 
 TEST(OrderConditions, OneWrongDigitIsSeen) {

@@ -55,11 +55,33 @@ StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient st
   return {x.of_x + v.of_v, x.of_x * v.of_v - x.of_v * v.of_x, denominator};
 }
 
+/// The entries are polynomials in dt^2 stiffness; similar to the matrix on (x, v), so trace and determinant
+/// serve.
+StepMatrix step_matrix(const OscillatorMatrix& m, Coefficient stiffness) {
+  const auto in_dt = [&](const std::vector<Coefficient>& polynomial) {
+    RealPolynomial out;
+    Coefficient power = 1;
+    for (std::size_t k = 0; k < polynomial.size(); ++k) {
+      out.add_term(2 * k, polynomial[k] * power);
+      power *= stiffness;
+    }
+    return out;
+  };
+  const auto xx = in_dt(m.xx), xv = in_dt(m.xv), vx = in_dt(m.vx), vv = in_dt(m.vv);
+  return {xx + vv, xx * vv - xv * vx, RealPolynomial({1})};
+}
+
+StepMatrix step_matrix(const Theory& theory, Coefficient stiffness, Coefficient damping) {
+  return theory.moves.empty() ? step_matrix(theory.oscillator, stiffness)
+                              : step_matrix(theory.moves, stiffness, damping);
+}
+
 }  // namespace
 
-NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
-                         Coefficient damping) {
-  const auto [trace, determinant, q] = step_matrix(moves, stiffness, damping);
+bool is_second_order(const Theory& theory) { return !theory.moves.empty() || !theory.oscillator.xx.empty(); }
+
+NonNegative second_order_stable(const Theory& theory, Coefficient stiffness, Coefficient damping) {
+  const auto [trace, determinant, q] = step_matrix(theory, stiffness, damping);
   // Jury: |det| <= 1 and |trace| <= 1 + det. Where det is 1 by construction the first vanishes identically,
   // and what is left is |trace| <= 2.
   NonNegative out{{{0, std::numeric_limits<Coefficient>::infinity()}}, {}};
@@ -73,11 +95,11 @@ NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient 
   return out;
 }
 
-Coefficient moves_log_radius(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
-                             Coefficient damping, Coefficient dt) {
+Coefficient second_order_log_radius(const Theory& theory, Coefficient stiffness, Coefficient damping,
+                                    Coefficient dt) {
   const Coefficient rate = std::max(std::sqrt(std::abs(stiffness)), std::abs(damping)), h = dt * rate;
   const auto matrix =
-      step_matrix(moves, rate == 0 ? 0 : stiffness / rate / rate, rate == 0 ? 0 : damping / rate);
+      step_matrix(theory, rate == 0 ? 0 : stiffness / rate / rate, rate == 0 ? 0 : damping / rate);
   const Coefficient q = matrix.denominator(h);
   RealPolynomial deficit = matrix.denominator * matrix.denominator - matrix.determinant;
   deficit.clean();
