@@ -15,7 +15,7 @@ constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
 
 bool has_function(const Theory& t) { return !t.numerator.empty(); }
 bool is_multistep(const Theory& t) { return !t.rho.empty(); }
-bool has_moves(const Theory& t) { return !t.moves.empty(); }
+bool has_moves(const Theory& t) { return !t.moves.empty() || t.second_order_step; }
 
 StabilityLimit unknown(std::string reason) {
   StabilityLimit out;
@@ -73,7 +73,9 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
   if (has_moves(theory)) {
     if (!problem.second_order) return unknown("theory of second-order steps needs one degree of freedom");
     const Coefficient rate = problem.fastest_rate;
-    require(detail::moves_stable(theory.moves, problem.stiffness / rate / rate, problem.damping / rate),
+    const Coefficient stiffness = problem.stiffness / rate / rate, damping = problem.damping / rate;
+    require(theory.moves.empty() ? detail::second_order_stable(theory.second_order_step, stiffness, damping)
+                                 : detail::moves_stable(theory.moves, stiffness, damping),
             rate);
   } else if (has_function(theory) || is_multistep(theory)) {
     if (is_multistep(theory) && !detail::zero_stable(theory)) return judge({}, {});
@@ -91,6 +93,8 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
 }
 
 Coefficient growth_per_step(const Theory& theory, const LinearProblem& problem, Coefficient dt) {
+  if (theory.second_order_step && problem.second_order)
+    return detail::second_order_log_radius(theory.second_order_step, problem.stiffness, problem.damping, dt);
   if (has_moves(theory) && problem.second_order)
     return detail::moves_log_radius(theory.moves, problem.stiffness, problem.damping, dt);
   if (has_moves(theory) || !theory.blank_reason.empty()) return std::numeric_limits<Coefficient>::quiet_NaN();

@@ -16,8 +16,10 @@ Form operator+(const Form& a, const Form& b) { return {a.of_x + b.of_x, a.of_v +
 Form operator*(const RealPolynomial& p, const Form& a) { return {p * a.of_x, p * a.of_v}; }
 
 struct StepMatrix {
-  RealPolynomial trace, determinant,
-      denominator;  // the matrix is that of trace and determinant / denominator
+  Form x, v;  // what becomes of (x_n, v_n), over the denominator
+  RealPolynomial denominator;
+  RealPolynomial trace() const { return x.of_x + v.of_v; }
+  RealPolynomial determinant() const { return x.of_x * v.of_v - x.of_v * v.of_x; }
 };
 
 StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
@@ -52,14 +54,22 @@ StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient st
       }
     }
   }
-  return {x.of_x + v.of_v, x.of_x * v.of_v - x.of_v * v.of_x, denominator};
+  return {x, v, denominator};
 }
 
 }  // namespace
 
+std::vector<Coefficient> moves_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
+                                      Coefficient damping, Coefficient dt) {
+  const auto m = step_matrix(moves, stiffness, damping);
+  const Coefficient q = m.denominator(dt);
+  return {m.x.of_x(dt) / q, m.v.of_x(dt) / q, m.x.of_v(dt) / q, m.v.of_v(dt) / q};
+}
+
 NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
                          Coefficient damping) {
-  const auto [trace, determinant, q] = step_matrix(moves, stiffness, damping);
+  const auto matrix = step_matrix(moves, stiffness, damping);
+  const RealPolynomial trace = matrix.trace(), determinant = matrix.determinant(), &q = matrix.denominator;
   // Jury: |det| <= 1 and |trace| <= 1 + det. Where det is 1 by construction the first vanishes identically,
   // and what is left is |trace| <= 2.
   NonNegative out{{{0, std::numeric_limits<Coefficient>::infinity()}}, {}};
@@ -79,10 +89,10 @@ Coefficient moves_log_radius(const std::vector<SecondOrderMove>& moves, Coeffici
   const auto matrix =
       step_matrix(moves, rate == 0 ? 0 : stiffness / rate / rate, rate == 0 ? 0 : damping / rate);
   const Coefficient q = matrix.denominator(h);
-  RealPolynomial deficit = matrix.denominator * matrix.denominator - matrix.determinant;
+  RealPolynomial deficit = matrix.denominator * matrix.denominator - matrix.determinant();
   deficit.clean();
   const Coefficient lost = deficit(h) / q / q;  // 1 - det, without the cancellation
-  const Coefficient half = matrix.trace(h) / q / 2, determinant = 1 - lost;
+  const Coefficient half = matrix.trace()(h) / q / 2, determinant = 1 - lost;
   const Coefficient square = half * half - determinant;
   if (square <= 0) return std::log1p(-lost) / 2;
   return std::log(std::abs(half) + std::sqrt(square));

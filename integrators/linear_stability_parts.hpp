@@ -14,6 +14,16 @@ NonNegative multistep_stable_along_ray(const Theory& theory, WideComplex directi
 bool zero_stable(const Theory& theory);
 Coefficient largest_multistep_root(const Theory& theory, WideComplex z);
 
+/// The matrix of the moves, column-major.
+std::vector<Coefficient> moves_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
+                                      Coefficient damping, Coefficient dt);
+/// ln of the spectral radius, column-major.
+Coefficient matrix_log_radius(const std::vector<Coefficient>& matrix);
+Coefficient second_order_log_radius(const SecondOrderStep& step, Coefficient stiffness, Coefficient damping,
+                                    Coefficient dt);
+/// In units of dt * rate.
+NonNegative second_order_stable(const SecondOrderStep& step, Coefficient stiffness, Coefficient damping);
+
 /// In units of dt * rate.
 NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
                          Coefficient damping);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 #include "integrators/stepper.hpp"
@@ -23,6 +24,11 @@ struct SecondOrderMove {
   Coefficient weight;
 };
 
+/// One step of h on x'' = -stiffness x - damping v as a square matrix, column-major: on (x, v), or on (x, v,
+/// a) where the method carries an acceleration of its own along.
+using SecondOrderStep =
+    std::function<std::vector<Coefficient>(Coefficient stiffness, Coefficient damping, Coefficient h)>;
+
 /// The coefficients of a one-step method as plain data, row by row; `stages` 0 where there are none.
 struct Tableau {
   std::size_t stages = 0;
@@ -37,6 +43,7 @@ struct Theory {
   /// Multistep beyond rho - z sigma (PECE): the coefficient of z^k w^j is characteristic[k][j].
   std::vector<std::vector<Coefficient>> characteristic;
   std::vector<SecondOrderMove> moves;  // acts on (x, v) as a 2x2 matrix
+  SecondOrderStep second_order_step;   // likewise, where its entries are no polynomials in h
   bool exact_on_linear_part = false;   // exponential methods: R = exp(h L)
   Tableau tableau;                     // what numerator and denominator come from, where they come from one
   std::string_view blank_reason = "";  // why nothing can be said, where nothing can
