@@ -14,6 +14,11 @@ namespace odemark {
 template <const auto& method, SecondOrderSystem P>
 class DampedEulerStepper;
 
+/// The matrix of a step that ends with x+ = x + h v+, where v+ = of_x x + of_v v; column-major.
+inline std::vector<Coefficient> moved_by_new_velocity(Coefficient of_x, Coefficient of_v, Coefficient h) {
+  return {1 + h * of_x, of_x, h * of_v, of_v};
+}
+
 /// With D = da/dv at the start of the step and r = a - D v, the force without its damping:
 /// implicit:   v+ = v + h r + h D v+, one linear solve;
 /// exact:      v+ = exp(h D) v + h r;
@@ -37,13 +42,13 @@ struct DampedEuler {
       case Damping::implicit: theory.moves = {{What::kick_implicit, 1}, {What::drift, 1}}; break;
       case Damping::exact:
         theory.second_order_step = [](Coefficient stiffness, Coefficient rate, Coefficient h) {
-          return new_velocity_moves(-h * stiffness, std::exp(-h * rate), h);
+          return moved_by_new_velocity(-h * stiffness, std::exp(-h * rate), h);
         };
         break;
       case Damping::drag_rule:
         theory.second_order_step = [](Coefficient stiffness, Coefficient rate, Coefficient h) {
           const Coefficient left = h * rate < 1 ? 1 - h * rate : 0;
-          return new_velocity_moves(-h * stiffness * left, left, h);
+          return moved_by_new_velocity(-h * stiffness * left, left, h);
         };
         break;
     }

@@ -41,9 +41,4 @@ class SecondOrderJacobian {
   std::array<State, 3> scratch_;
 };
 
-/// The matrix of a step that ends with x+ = x + h v+, where v+ = of_x x + of_v v; column-major.
-inline std::vector<Coefficient> new_velocity_moves(Coefficient of_x, Coefficient of_v, Coefficient h) {
-  return {1 + h * of_x, of_x, h * of_v, of_v};
-}
-
 }  // namespace odemark

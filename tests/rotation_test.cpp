@@ -1,0 +1,170 @@
+// Rotation methods: what each of them keeps, what it loses, and the hard cases that engines meet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/probe_families.hpp"
+#include "tests/support/runs.hpp"
+
+namespace odemark {
+namespace {
+
+const char* const all[] = {"quaternion_euler_normalised",
+                           "exponential_map",
+                           "implicit_gyroscopic",
+                           "momentum_clamped_explicit",
+                           "buss2",
+                           "rigid_body_splitting",
+                           "rkmk4"};
+
+/// The largest relative distance of each invariant from its start, over a run.
+struct Drift {
+  double energy = 0, momentum_length = 0, quaternion = 0, momentum_in_space = 0;
+};
+
+Drift drift(const AnyMethod& method, const AnyProblem& problem, long steps) {
+  const auto invariants = [&](const double* y) {
+    std::vector<long double> wide(y, y + 7), out(6);
+    problem.invariants_call(problem.value.get(), wide.data(), out.data());
+    return out;
+  };
+  const auto start = invariants(problem.initial.data());
+  Drift worst;
+  const auto raise = [](double& w, long double error) {
+    if (!(std::abs(double(error)) <= w)) w = std::abs(double(error));
+  };
+  Trace<double> trace;
+  trace.on_step = [&](double, const double* y) {
+    const auto now = invariants(y);
+    raise(worst.energy, now[0] / start[0] - 1);
+    raise(worst.momentum_length, now[1] / start[1] - 1);
+    raise(worst.quaternion, now[2] - 1);
+    for (std::size_t i = 3; i < 6; ++i)
+      raise(worst.momentum_in_space, (now[i] - start[i]) / std::sqrt(start[1]));
+    return true;
+  };
+  std::vector<double> y = problem.initial;
+  method.runs<double>().solve_traced(problem.system<double>(), problem.system<double>(), FixedSteps{steps}, 0,
+                                     problem.t_end, y, trace);
+  return worst;
+}
+
+TEST(Rotation, TheyAreInTheCatalogueAndNeedABody) {
+  for (const char* id : all) {
+    EXPECT_EQ(suite_method(id).needs, unsigned(Ability::rotation)) << id;
+    EXPECT_FALSE(can_run<double>(suite_method(id), suite_problem("oscillator"))) << id;
+    EXPECT_TRUE(can_run<double>(suite_method(id), suite_problem("free_rigid_body"))) << id;
+  }
+}
+
+TEST(Rotation, WhatEachKeepsOfATumblingBody) {
+  const auto problem = suite_problem("free_rigid_body_tumbling", "t_end=100");
+  constexpr long steps = 5000;  // 20 ms at 1.7 rad/s
+  for (const char* id : all) {
+    SCOPED_TRACE(id);
+    const Drift d = drift(suite_method(id), problem, steps);
+    std::printf("%-28s energy %.2e |L| %.2e |q| %.2e L in space %.2e\n", id, d.energy, d.momentum_length,
+                d.quaternion, d.momentum_in_space);
+    EXPECT_LT(d.quaternion, 1e-12) << "all of them turn by rotations";
+    const std::string name = id;
+    const bool keeps_momentum = name == "buss2" || name == "rigid_body_splitting";
+    const bool keeps_length = keeps_momentum || name == "momentum_clamped_explicit";
+    EXPECT_EQ(d.momentum_length < 1e-11, keeps_length);
+    EXPECT_EQ(d.momentum_in_space < 1e-11, keeps_momentum);
+    EXPECT_GT(d.energy, 1e-13) << "none of them keeps the energy itself";
+  }
+  // explicit Euler as a right-hand side keeps nothing: the yardstick of this test can see a loss
+  EXPECT_GT(drift(suite_method("explicit_euler"), problem, steps).quaternion, 1e-2);
+}
+
+TEST(Rotation, TheSplittingsEnergyErrorIsBounded) {
+  const auto brief = suite_problem("free_rigid_body_tumbling", "t_end=100"),
+             lasting = suite_problem("free_rigid_body_tumbling", "t_end=3000");
+  const auto ratio = [&](const char* id) {
+    return drift(suite_method(id), lasting, 60'000).energy / drift(suite_method(id), brief, 2'000).energy;
+  };
+  EXPECT_LT(ratio("rigid_body_splitting"), 1.05);
+  EXPECT_GT(ratio("rkmk4"), 10);  // 30 times as long: in proportion
+}
+
+TEST(Rotation, AConstantSpinIsExactForTheExponentialMapsAndLagsForQuaternionEuler) {
+  // 15 rad/s about one axis at 60 Hz, one second
+  const auto problem = suite_problem("free_rigid_body", "I1=10,I2=10,I3=10,w1=0,w2=0,w3=15,t_end=1");
+  const auto turned = [&](const char* id) {
+    const auto y = solve(suite_method(id), problem, FixedSteps{60}).y;
+    return 2 * std::atan2(y[6], y[3]);
+  };
+  const double turn = std::remainder(15.0, 4 * std::acos(-1.0));
+  for (const char* id :
+       {"exponential_map", "momentum_clamped_explicit", "buss2", "rigid_body_splitting", "rkmk4"})
+    EXPECT_NEAR(std::remainder(turned(id) - turn, 4 * std::acos(-1.0)), 0, 1e-12) << id;
+  for (const char* id : {"quaternion_euler_normalised", "implicit_gyroscopic"})
+    EXPECT_NEAR(std::remainder(turned(id) - 60 * 2 * std::atan(15.0 / 120), 4 * std::acos(-1.0)), 0, 1e-12)
+        << id;
+  EXPECT_NEAR(15 - 60 * 2 * std::atan(15.0 / 120), 4.4 * std::acos(-1.0) / 180, 1e-3);
+}
+
+/// Growth of the rate across the axis of a rod, per step.
+double transverse_growth(const char* id, double h) {
+  // moments 1, 1, 0.1 kg m^2: Omega = 0.9 w3, 50 rad/s
+  const auto problem =
+      suite_problem("free_rigid_body", "I1=1,I2=1,I3=0.1,w1=1e-3,w2=0,w3=" + std::to_string(50 / 0.9));
+  std::vector<double> y = problem.initial;
+  suite_method(id).runs<double>().solve(problem.system<double>(), FixedSteps{1}, 0, h, y);
+  return std::hypot(y[0], y[1]) / 1e-3;
+}
+
+TEST(Rotation, AnExplicitGyroscopicTermMakesARodTumble) {
+  const double h = 1.0 / 60, explicit_growth = std::sqrt(1 + 50 * 50 * h * h);
+  EXPECT_NEAR(explicit_growth, 1.28, 0.03);  // 1.30 at exactly 50 rad/s
+  for (const char* id : {"quaternion_euler_normalised", "exponential_map"})
+    EXPECT_NEAR(transverse_growth(id, h), explicit_growth, 1e-5) << id;
+  // one Newton step on a linear problem is all of implicit Euler
+  EXPECT_NEAR(transverse_growth("implicit_gyroscopic", h), 1 / explicit_growth, 1e-5);
+  EXPECT_NEAR(transverse_growth("rigid_body_splitting", h), 1, 1e-5);
+  // shrinking the whole momentum does not cure it: the axis outweighs what grows across it
+  EXPECT_NEAR(transverse_growth("momentum_clamped_explicit", h), explicit_growth, 1e-5);
+}
+
+TEST(Rotation, OnlyThoseWithoutNumericalDampingKeepFlipping) {
+  // a box about its middle axis: w2 changes its sign again and again
+  const auto problem = suite_problem("free_rigid_body", "w1=0.05,w2=5,w3=0.05,t_end=60");
+  const auto flips_late = [&](const char* id) {
+    long flips = 0;
+    double last = 1;
+    Trace<double> trace;
+    trace.on_step = [&](double t, const double* y) {
+      if (t > 40 && y[1] * last < 0) ++flips;
+      last = y[1];
+      return true;
+    };
+    std::vector<double> y = problem.initial;
+    suite_method(id).runs<double>().solve_traced(problem.system<double>(), problem.system<double>(),
+                                                 FixedSteps{3600}, 0, 60, y, trace);
+    return flips;
+  };
+  for (const char* id : {"buss2", "rigid_body_splitting", "rkmk4"}) EXPECT_GE(flips_late(id), 4) << id;
+  EXPECT_LE(flips_late("implicit_gyroscopic"), 1);  // settled about the axis of the greatest moment
+}
+
+TEST(Rotation, TorquesAreCounted) {
+  const auto problem = probe::problem<probe::DrivenTop>();
+  const std::pair<const char*, long> torques[] = {{"quaternion_euler_normalised", 1},
+                                                  {"exponential_map", 1},
+                                                  {"implicit_gyroscopic", 1},
+                                                  {"momentum_clamped_explicit", 1},
+                                                  {"rigid_body_splitting", 1},
+                                                  {"buss2", 2},
+                                                  {"rkmk4", 4}};
+  RunRequest request;
+  request.steps = 10, request.trajectory = false;
+  for (const auto& [id, a_step] : torques) {
+    const Row row = run(suite_method(id), problem, request, "rotation");
+    EXPECT_EQ(row.status, "reached_end") << id;
+    EXPECT_EQ(row.work.evaluations, 10 * a_step) << id;
+    EXPECT_EQ(row.work.rhs, 0) << id;
+  }
+}
+
+}  // namespace
+}  // namespace odemark
