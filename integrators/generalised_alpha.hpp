@@ -41,17 +41,17 @@ struct GeneralisedAlpha {
   Theory theory() const {
     Theory theory;
     theory.second_order_step = [m = *this](Coefficient k, Coefficient c, Coefficient h) {
-      const Coefficient share = 1 - m.alpha_f;
-      const Coefficient below = 1 - m.alpha_m + share * (k * m.beta * h * h + c * m.gamma * h);
-      const Coefficient of_a =
-          -(m.alpha_m + share * (k * h * h * (0.5L - m.beta) + c * h * (1 - m.gamma))) / below;
-      // columns: what x = 1, v = 1 and a = 1 become
+      const Coefficient share = 1 - m.alpha_f, mass = 1 - m.alpha_m, ratio = m.gamma / m.beta;
+      const Coefficient below = mass + share * (m.beta * h * h * k + m.gamma * h * c);
+      // columns: what x = 1, v = 1 and a = 1 become; s is the mean velocity of the step
       std::vector<Coefficient> out;
       const auto column = [&](Coefficient x, Coefficient v, Coefficient a) {
-        const Coefficient a_new = (-k * x - (k * share * h + c) * v) / below + of_a * a;
-        out.push_back(x + h * v + h * h * ((0.5L - m.beta) * a + m.beta * a_new));
-        out.push_back(v + h * ((1 - m.gamma) * a + m.gamma * a_new));
-        if (m.carries()) out.push_back(a_new);
+        const Coefficient old_v = v * (1 - share * ratio) + share * h * (1 - ratio / 2) * a;
+        const Coefficient s =
+            (mass * (v + h * (0.5L - m.beta) * a) - m.beta * h * (m.alpha_m * a + k * x + c * old_v)) / below;
+        out.push_back(x + h * s);
+        out.push_back(v * (1 - ratio) + ratio * s + h * (1 - ratio / 2) * a);
+        if (m.carries()) out.push_back((s - v - h * (0.5L - m.beta) * a) / (m.beta * h));
       };
       column(1, 0, m.carries() ? 0 : -k), column(0, 1, m.carries() ? 0 : -c);
       if (m.carries()) column(0, 0, 1);
@@ -78,6 +78,7 @@ class GeneralisedAlphaStepper {
         look_(model),
         carried_(zeros_like(model)),
         new_(carried_),
+        mean_(half_),
         correction_(half_) {}
 
   void start() { known_ = false; }
@@ -92,55 +93,57 @@ class GeneralisedAlphaStepper {
   void assume_history() requires(method.carries()) { known_ = true; }
 
   StepStatus attempt(Real t, const State& y, Real h, State& next, State&) {
+    const Real* v = y.data() + half_;
     Real* a = carried_.data() + half_;
-    Real* a_new = new_.data() + half_;
     if (!known_) system_.acceleration(t, y, a);
-    for (std::size_t i = 0; i < half_; ++i) a_new[i] = a[i];
     if (!solve(t, y, h)) return StepStatus::newton_diverged;
     for (std::size_t i = 0; i < half_; ++i) {
-      next.data()[i] = y.data()[i] + displacement(y, h, i);
-      next.data()[half_ + i] = y.data()[half_ + i] + gain(h, i);
+      next.data()[i] = y.data()[i] + h * mean_[i];
+      next.data()[half_ + i] = v[i] + gain(v[i], a[i], h, i);
+      new_.data()[half_ + i] = new_acceleration(v[i], a[i], h, i);
     }
     return StepStatus::ok;
   }
 
  private:
   static constexpr int most_iterations = 25;
-  static constexpr Real beta = static_cast<Real>(method.beta), gamma = static_cast<Real>(method.gamma);
-  static constexpr Real early = static_cast<Real>(0.5L - method.beta),
-                        rest = static_cast<Real>(1 - method.gamma);
+  static constexpr Real beta = static_cast<Real>(method.beta), early = static_cast<Real>(0.5L - method.beta);
+  static constexpr Real gamma = static_cast<Real>(method.gamma),
+                        ratio = static_cast<Real>(method.gamma / method.beta);
+  static constexpr Real rest = static_cast<Real>(1 - method.gamma / method.beta / 2);
   static constexpr Real mass_old = static_cast<Real>(method.alpha_m),
                         mass_new = static_cast<Real>(1 - method.alpha_m);
   static constexpr Real share = static_cast<Real>(1 - method.alpha_f);
 
-  Real displacement(const State& y, Real h, std::size_t i) const {
-    return h * y.data()[half_ + i] +
-           h * h * (early * carried_.data()[half_ + i] + beta * new_.data()[half_ + i]);
-  }
-  Real gain(Real h, std::size_t i) const {
-    return h * (rest * carried_.data()[half_ + i] + gamma * new_.data()[half_ + i]);
+  // The unknown is the mean velocity s = (x+ - x)/h: with a+ for the unknown a stiff spring would cost
+  // digits.
+  Real gain(Real v, Real a, Real h, std::size_t i) const { return ratio * (mean_[i] - v) + rest * h * a; }
+  Real new_acceleration(Real v, Real a, Real h, std::size_t i) const {
+    return ((mean_[i] - v) - h * early * a) / (beta * h);
   }
 
-  /// Newton's method for a+, with a Jacobian of every iterate.
+  /// Newton's method for s, with a Jacobian of every iterate.
   bool solve(Real t, const State& y, Real h) {
-    const Real* a = carried_.data() + half_;
-    Real* a_new = new_.data() + half_;
+    const Real *v = y.data() + half_, *a = carried_.data() + half_;
+    for (std::size_t i = 0; i < half_; ++i) mean_[i] = v[i];
     Real previous = std::numeric_limits<Real>::infinity();
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       for (std::size_t i = 0; i < half_; ++i) {
-        look_.data()[i] = y.data()[i] + share * displacement(y, h, i);
-        look_.data()[half_ + i] = y.data()[half_ + i] + share * gain(h, i);
+        look_.data()[i] = y.data()[i] + share * h * mean_[i];
+        look_.data()[half_ + i] = v[i] + share * gain(v[i], a[i], h, i);
       }
       system_.acceleration(t + share * h, look_, correction_.data());
       jacobian_.evaluate(t + share * h, look_);
       Real size = std::numeric_limits<Real>::min(), terms = 0;  // sums, because std::max would swallow a NaN
       for (std::size_t r = 0; r < half_; ++r) {
-        correction_[r] = (correction_[r] - mass_old * a[r]) / mass_new - a_new[r];
+        const Real force = beta * h / mass_new * (correction_[r] - mass_old * a[r]);
+        correction_[r] = force - ((mean_[r] - v[r]) - h * early * a[r]);
         for (std::size_t c = 0; c < half_; ++c) {
           const Real by_x = jacobian_.by_position(r, c), by_v = jacobian_.by_velocity(r, c);
           lu_.jacobian()[c * half_ + r] = share / mass_new * (h * beta * by_x + gamma * by_v);
           // what the force is the small difference of: its rounding is that of these
-          terms += std::abs(by_x * look_.data()[c]) + std::abs(by_v * look_.data()[half_ + c]);
+          terms += beta * std::abs(h) *
+                   (std::abs(by_x * look_.data()[c]) + std::abs(by_v * look_.data()[half_ + c]));
         }
       }
       lu_.factorize(h);
@@ -148,8 +151,8 @@ class GeneralisedAlphaStepper {
       ++counts_.lu, ++counts_.newton;
       Real moved = 0;
       for (std::size_t i = 0; i < half_; ++i) {
-        a_new[i] += correction_[i];
-        moved += std::abs(correction_[i]), size += std::abs(a_new[i]) + std::abs(a[i]);
+        mean_[i] += correction_[i];
+        moved += std::abs(correction_[i]), size += std::abs(mean_[i]) + std::abs(v[i]);
       }
       if (!std::isfinite(moved + size)) return false;
       const Real tolerance = 4 * std::numeric_limits<Real>::epsilon();
@@ -165,7 +168,7 @@ class GeneralisedAlphaStepper {
   SecondOrderJacobian<P> jacobian_;
   DenseLu<Real> lu_;
   State look_, carried_, new_;
-  std::vector<Real> correction_;
+  std::vector<Real> mean_, correction_;
   bool known_ = false;
   NewtonCounts counts_;
 };
