@@ -28,9 +28,8 @@ struct GeneralisedAlpha {
   std::string_view note = "", advice = "";
 
   constexpr bool carries() const { return alpha_m != 0 || alpha_f != 0; }
-  /// Second order is gamma = 1/2 - alpha_m + alpha_f; stable at every step: alpha_m <= alpha_f <= 1/2 and
-  /// beta
-  /// >= 1/4 + (alpha_f - alpha_m)/2 (Chung and Hulbert, eq. 17 and 14).
+  /// Second order is gamma = 1/2 - alpha_m + alpha_f; stable at every step is alpha_m <= alpha_f <= 1/2 and
+  /// beta >= 1/4 + (alpha_f - alpha_m)/2 (Chung and Hulbert).
   constexpr bool second_order_and_stable() const {
     const Coefficient off = gamma - (0.5L - alpha_m + alpha_f);
     return off < 1e-18L && off > -1e-18L && alpha_m <= alpha_f && alpha_f <= 0.5L &&

@@ -205,12 +205,9 @@ TEST(StabilityTheory, MovesOnDampedSprings) {
   for (const Coefficient zeta : zetas) {
     const double z = double(zeta);
     EXPECT_NEAR(limit_of("semi_implicit_euler", spring(zeta)), 2 * (std::sqrt(1 + z * z) - z), 1e-12);
-    EXPECT_NEAR(limit_of(of_moves({{What::kick_implicit, 1}, {What::drift, 1}}), spring(zeta)),
+    EXPECT_NEAR(limit_of("semi_implicit_euler_implicit_damping", spring(zeta)),
                 2 * (std::sqrt(1 + z * z) + z), 1e-12);
-    // x += h v + h^2/2 a, v += h a: what VDrift calls SUVAT
-    EXPECT_NEAR(
-        limit_of(of_moves({{What::kick, 0.5L}, {What::drift, 1}, {What::kick_start, 0.5L}}), spring(zeta)),
-        std::min(1 / z, 4 * z), 1e-12);
+    EXPECT_NEAR(limit_of("suvat", spring(zeta)), std::min(1 / z, 4 * z), 1e-12);
   }
   const auto half = stability_limit(method("stormer_verlet").theory(), spring(0.5L));
   ASSERT_EQ(half.later_bands.size(), 1u);  // "2 then [2.828, 4]"
@@ -294,8 +291,8 @@ TEST(StabilityTheory, VDriftsStudyOfAStiffSuspension) {
     const auto p = linear_problem(2, {0, -k / m, 1, -2 * Coefficient(zeta) * std::sqrt(k / m)}, true);
     return 1000 * limit_of(theory, p) / evaluations;
   };
-  const Theory suvat = of_moves({{What::kick, 0.5L}, {What::drift, 1}, {What::kick_start, 0.5L}});
-  const Theory implicit_damping = of_moves({{What::kick_implicit, 1}, {What::drift, 1}});
+  const Theory suvat = method("suvat").theory(),
+               implicit_damping = method("semi_implicit_euler_implicit_damping").theory();
   struct Case {
     double zeta, euler, suvat, semi_implicit, heun, rk4, implicit_damping, last_digit;
   };

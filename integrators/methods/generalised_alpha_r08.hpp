@@ -8,7 +8,7 @@ namespace odemark {
 /// + alpha_f)^2 / 4, gamma = 1/2 - alpha_m + alpha_f, with r = 8/10.
 inline constexpr GeneralisedAlpha generalised_alpha_r08{
     .id = "generalised_alpha_r08",
-    .source = "J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993) 371-375, eq. 25, doi:10.1115/1.2900803",
+    .source = "J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993) 371-375, doi:10.1115/1.2900803",
     .alpha_m = 1.0L / 3,
     .alpha_f = 4.0L / 9,
     .beta = 25.0L / 81,

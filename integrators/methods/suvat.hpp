@@ -21,9 +21,9 @@ struct Suvat {
 inline constexpr StepFunction<detail::Suvat, Ability::second_order> suvat{
     .id = "suvat",
     .source =
-        "G. Fiedler, Integration Basics, gafferongames.com, 2004 (x += v dt + a dt^2/2, v += a dt: exact "
-        "where "
-        "the acceleration is constant)",
+        "VDrift documentation, Numerical Integration; G. Fiedler, Integration Basics, gafferongames.com, "
+        "2004 "
+        "(x += v dt + a dt^2/2, v += a dt)",
     .order = 1,
     .embedded_order = 0,
     .step = {},
