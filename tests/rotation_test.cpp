@@ -104,47 +104,41 @@ TEST(Rotation, AConstantSpinIsExactForTheExponentialMapsAndLagsForQuaternionEule
   EXPECT_NEAR(15 - 60 * 2 * std::atan(15.0 / 120), 4.4 * std::acos(-1.0) / 180, 1e-3);
 }
 
-/// Growth of the rate across the axis of a rod, per step.
-double transverse_growth(const char* id, double h) {
-  // moments 1, 1, 0.1 kg m^2: Omega = 0.9 w3, 50 rad/s
+/// By what the rate across the axis of a rod grows in so many steps.
+double transverse_growth(const char* id, double h, long steps = 1) {
+  // moments 1, 1, 0.1 kg m^2: Omega = 0.9 w3 = 50 rad/s
   const auto problem =
       suite_problem("free_rigid_body", "I1=1,I2=1,I3=0.1,w1=1e-3,w2=0,w3=" + std::to_string(50 / 0.9));
   std::vector<double> y = problem.initial;
-  suite_method(id).runs<double>().solve(problem.system<double>(), FixedSteps{1}, 0, h, y);
+  suite_method(id).runs<double>().solve(problem.system<double>(), FixedSteps{steps}, 0, h * double(steps), y);
   return std::hypot(y[0], y[1]) / 1e-3;
 }
 
 TEST(Rotation, AnExplicitGyroscopicTermMakesARodTumble) {
   const double h = 1.0 / 60, explicit_growth = std::sqrt(1 + 50 * 50 * h * h);
-  EXPECT_NEAR(explicit_growth, 1.28, 0.03);  // 1.30 at exactly 50 rad/s
   for (const char* id : {"quaternion_euler_normalised", "exponential_map"})
     EXPECT_NEAR(transverse_growth(id, h), explicit_growth, 1e-5) << id;
   // one Newton step on a linear problem is all of implicit Euler
   EXPECT_NEAR(transverse_growth("implicit_gyroscopic", h), 1 / explicit_growth, 1e-5);
-  EXPECT_NEAR(transverse_growth("rigid_body_splitting", h), 1, 1e-5);
   // shrinking the whole momentum does not cure it: the axis outweighs what grows across it
   EXPECT_NEAR(transverse_growth("momentum_clamped_explicit", h), explicit_growth, 1e-5);
+  // the splitting turns about one axis at a time, so the rate breathes, but after an hour it is what it was
+  for (const long steps : {1, 100, 216'000}) {
+    EXPECT_NEAR(transverse_growth("rigid_body_splitting", h, steps), 1, 0.1) << steps;
+  }
+  // at 1 kHz the explicit term still blows the rod up, 3.5 times a second
+  EXPECT_NEAR(transverse_growth("exponential_map", 1e-3, 1000), std::pow(1 + 2.5e-3, 500), 0.01);
 }
 
-TEST(Rotation, OnlyThoseWithoutNumericalDampingKeepFlipping) {
-  // a box about its middle axis: w2 changes its sign again and again
+TEST(Rotation, AFlippingBoxLosesItsSpinToTheImplicitStep) {
+  // a box about its middle axis, 5 rad/s at 60 Hz for a minute
   const auto problem = suite_problem("free_rigid_body", "w1=0.05,w2=5,w3=0.05,t_end=60");
-  const auto flips_late = [&](const char* id) {
-    long flips = 0;
-    double last = 1;
-    Trace<double> trace;
-    trace.on_step = [&](double t, const double* y) {
-      if (t > 40 && y[1] * last < 0) ++flips;
-      last = y[1];
-      return true;
-    };
-    std::vector<double> y = problem.initial;
-    suite_method(id).runs<double>().solve_traced(problem.system<double>(), problem.system<double>(),
-                                                 FixedSteps{3600}, 0, 60, y, trace);
-    return flips;
-  };
-  for (const char* id : {"buss2", "rigid_body_splitting", "rkmk4"}) EXPECT_GE(flips_late(id), 4) << id;
-  EXPECT_LE(flips_late("implicit_gyroscopic"), 1);  // settled about the axis of the greatest moment
+  for (const char* id : {"buss2", "rigid_body_splitting", "rkmk4"}) {
+    const Drift d = drift(suite_method(id), problem, 3600);
+    EXPECT_LT(d.energy, 0.02) << id;
+    EXPECT_LT(d.momentum_length, 1e-3) << id;
+  }
+  EXPECT_GT(drift(suite_method("implicit_gyroscopic"), problem, 3600).momentum_length, 0.3);
 }
 
 TEST(Rotation, TorquesAreCounted) {

