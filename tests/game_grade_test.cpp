@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "integrators/erase_method.hpp"
+#include "integrators/methods/generalised_alpha_r08.hpp"
+#include "integrators/methods/hht_alpha_005.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
@@ -74,6 +77,31 @@ TEST(GameGrade, AverageAccelerationIsTheTrapezoidOnLinearForces) {
              trapezoid = one_step("implicit_trapezoid", problem, {1, -2}, 0.5);
   EXPECT_NEAR(newmark[0], trapezoid[0], 1e-14);
   EXPECT_NEAR(newmark[1], trapezoid[1], 1e-14);
+}
+
+inline constexpr auto wrong_gamma = [] {
+  auto method = generalised_alpha_r08;
+  method.gamma = 11.0L / 19;
+  return method;
+}();
+inline constexpr auto wrong_sign_of_alpha = [] {
+  auto method = hht_alpha_005;
+  method.alpha_f = -0.05L;
+  return method;
+}();
+static_assert(!wrong_gamma.second_order_and_stable() && !wrong_sign_of_alpha.second_order_and_stable());
+
+TEST(GameGrade, AWrongDigitOfGeneralisedAlphaCostsTheOrder) {
+  const auto problem = probe::problem<probe::Driven>();
+  const auto end = fine_end(problem, 256);
+  const auto order = [&](const AnyMethod& method) {
+    return std::log2(scaled_gap(problem, solve(method, problem, FixedSteps{256}).y, end) /
+                     scaled_gap(problem, solve(method, problem, FixedSteps{512}).y, end));
+  };
+  EXPECT_NEAR(order(suite_method("generalised_alpha_r08")), 2, 0.05);
+  EXPECT_NEAR(order(suite_method("hht_alpha_005")), 2, 0.05);
+  EXPECT_NEAR(order(erase_method<wrong_gamma>()), 1, 0.1);
+  EXPECT_NEAR(order(erase_method<wrong_sign_of_alpha>()), 1, 0.1);
 }
 
 TEST(GameGrade, SubstepsAreSmallSteps) {

@@ -1,8 +1,12 @@
 // Rotation methods: what each of them keeps, what it loses, and the hard cases that engines meet.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "integrators/erase_method.hpp"
+#include "integrators/methods/rigid_body_splitting.hpp"
+#include "integrators/rotation_step.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
@@ -87,6 +91,61 @@ TEST(Rotation, TheSplittingsEnergyErrorIsBounded) {
   EXPECT_GT(ratio("rkmk4"), 10);  // 30 times as long: in proportion
 }
 
+/// The momentum in the body after one step, from a momentum before it.
+using Momentum = std::array<long double, 3>;
+Momentum after_a_step(const AnyMethod& method, const AnyProblem& problem, const Momentum& l, long double h) {
+  constexpr long double inertia[3] = {13, 10, 5};
+  std::vector<long double> y{l[0] / inertia[0], l[1] / inertia[1], l[2] / inertia[2], 1, 0, 0, 0};
+  method.runs<long double>().solve(problem.system<long double>(), FixedSteps{1}, 0, double(h), y);
+  return {y[0] * inertia[0], y[1] * inertia[1], y[2] * inertia[2]};
+}
+
+/// Of M B(l) M' - B(l+), where M is the derivative of the step and B the bracket of angular momentum, {l_i,
+/// l_j} = - sum_k e_ijk l_k: the largest entry, relative to |l|.
+double poisson_defect(const AnyMethod& method, const AnyProblem& problem, long double h) {
+  const Momentum l{13, 12, -6}, end = after_a_step(method, problem, l, h);
+  long double m[3][3];
+  for (std::size_t j = 0; j < 3; ++j) {
+    Momentum up = l, down = l;
+    up[j] += 1e-4L, down[j] -= 1e-4L;
+    const Momentum a = after_a_step(method, problem, up, h), b = after_a_step(method, problem, down, h);
+    for (std::size_t i = 0; i < 3; ++i) m[i][j] = (a[i] - b[i]) / 2e-4L;
+  }
+  const auto bracket = [](const Momentum& v, std::size_t i, std::size_t j) {
+    return i == j ? 0.0L : (j == (i + 1) % 3 ? -1 : 1) * v[3 - i - j];
+  };
+  double worst = 0;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) {
+      long double sum = -bracket(end, r, c);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) sum += m[r][i] * bracket(l, i, j) * m[c][j];
+      worst = std::max(worst, std::abs(double(sum)) / 18.7);
+    }
+  return worst;
+}
+
+TEST(Rotation, TheSplittingAloneIsPoissonAndStepsBackToTheStart) {
+  const auto problem = suite_problem("free_rigid_body_tumbling");
+  for (const char* id : all) {
+    SCOPED_TRACE(id);
+    const AnyMethod& method = suite_method(id);
+    std::vector<double> y = problem.initial;
+    method.runs<double>().solve(problem.system<double>(), FixedSteps{1}, 0, 0.25, y);
+    method.runs<double>().solve(problem.system<double>(), FixedSteps{1}, 0.25, 0, y);
+    const double defect = poisson_defect(method, problem, 0.25L),
+                 gap = scaled_gap(problem, y, problem.initial);
+    if (std::string(id) == "rigid_body_splitting") {
+      EXPECT_LT(defect, 1e-7) << "what differences leave";
+      EXPECT_LT(gap, 4e-15);
+    } else {
+      EXPECT_GT(defect, 1e-6);
+      EXPECT_GT(gap, 1e-8);
+    }
+    std::printf("%-28s Poisson defect %.1e, step and back %.1e\n", id, defect, gap);
+  }
+}
+
 TEST(Rotation, AConstantSpinIsExactForTheExponentialMapsAndLagsForQuaternionEuler) {
   // 15 rad/s about one axis at 60 Hz, one second
   const auto problem = suite_problem("free_rigid_body", "I1=10,I2=10,I3=10,w1=0,w2=0,w3=15,t_end=1");
@@ -139,6 +198,41 @@ TEST(Rotation, AFlippingBoxLosesItsSpinToTheImplicitStep) {
     EXPECT_LT(d.momentum_length, 1e-3) << id;
   }
   EXPECT_GT(drift(suite_method("implicit_gyroscopic"), problem, 3600).momentum_length, 0.3);
+}
+
+/// Turns as if the angular velocity were given in space: the product of quaternions the wrong way round.
+struct TurnsInSpace {
+  template <class Body, class Real>
+  void operator()(Body& body, Real t, Real h, Turning<Real>& s) const {
+    rigid_body_splitting.step(body, t, h, s);
+    s.q = rotation_by(h * s.w) * s.q;
+  }
+};
+/// The splitting with the torque at the start of the step, where it is not centred.
+struct EarlyTorque {
+  template <class Body, class Real>
+  void operator()(Body& body, Real t, Real h, Turning<Real>& s) const {
+    rigid_body_splitting.step(body, t - h / Real(2), h, s);
+  }
+};
+inline constexpr RotationStep<TurnsInSpace> turns_in_space{
+    .id = "turns_in_space", .source = "planted", .order = 2};
+inline constexpr RotationStep<EarlyTorque> early_torque{
+    .id = "early_torque", .source = "planted", .order = 2};
+
+double order_between(const AnyMethod& method, const AnyProblem& problem, long steps) {
+  const auto end = fine_end(problem, 256);
+  return std::log2(scaled_gap(problem, solve(method, problem, FixedSteps{steps}).y, end) /
+                   scaled_gap(problem, solve(method, problem, FixedSteps{2 * steps}).y, end));
+}
+
+TEST(Rotation, PlantedFaultsShow) {
+  const auto top = probe::problem<probe::DrivenTop>();
+  EXPECT_NEAR(order_between(suite_method("rigid_body_splitting"), top, 128), 2, 0.05);
+  EXPECT_NEAR(order_between(erase_method<early_torque>(), top, 128), 1, 0.05);
+  const auto free = suite_problem("free_rigid_body_tumbling", "t_end=10");
+  EXPECT_LT(drift(suite_method("rigid_body_splitting"), free, 500).momentum_in_space, 1e-12);
+  EXPECT_GT(drift(erase_method<turns_in_space>(), free, 500).momentum_in_space, 0.1);
 }
 
 TEST(Rotation, TorquesAreCounted) {

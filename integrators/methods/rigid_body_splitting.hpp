@@ -10,9 +10,9 @@ struct RigidBodySplitting {
   template <class Body, class Real>
   void operator()(Body& body, Real t, Real h, Turning<Real>& s) const {
     const Real half = h / Real(2);
-    for (const std::size_t axis : {0, 1, 2}) turn(body, axis, half, s);
+    for (std::size_t axis = 0; axis < 3; ++axis) turn(body, axis, half, s);
     s.w = s.w + h * body.rate(body.torque(t + half, s));
-    for (const std::size_t axis : {2, 1, 0}) turn(body, axis, half, s);
+    for (std::size_t axis = 3; axis-- > 0;) turn(body, axis, half, s);
   }
 
  private:
