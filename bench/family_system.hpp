@@ -28,6 +28,9 @@ struct FamilySystem {
       dual_jacobian(family, t, y.data(), j);
   }
   void linear_part(MatrixView<T> l) const requires HasLinear<F> { family.template linear_part<T>(l); }
+  static constexpr BodyPlace body_place() requires HasRotation<F> { return {F::rate_at, F::attitude_at}; }
+  void inertia(T* principal_moments) const requires HasRotation<F> { family.inertia(principal_moments); }
+  void torque(T t, const State& y, T* out) const requires HasRotation<F> { family.torque(t, y.data(), out); }
   Tape<T> tape() const { return record<T>(family, F::size); }
   void count_series() const {}
 };

@@ -140,7 +140,7 @@ StabilityRegion stability_region(const std::string& method, const Theory& theory
   out.method = method;
   if (theory.numerator.empty() && theory.rho.empty()) {
     out.reason = !theory.blank_reason.empty() ? std::string(theory.blank_reason)
-                 : !theory.moves.empty() || !theory.oscillator.xx.empty()
+                 : !theory.moves.empty() || !theory.oscillator.xx.empty() || theory.second_order_step
                      ? "its step is not a function of one z: it treats x and v apart"
                  : theory.exact_on_linear_part
                      ? "it is exact on linear problems: stable wherever the problem is"

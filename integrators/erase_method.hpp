@@ -91,6 +91,7 @@ AnyMethod erase_method() {
     any.compensated = CompensatedStepper<S>;
     any.multistep = HasHistory<S>;
     if constexpr (requires { Kind::starter_id(); }) any.starter = Kind::starter_id();
+    if constexpr (requires { method.starter; }) any.starter = method.starter;
   }
   return any;
 }

@@ -19,6 +19,9 @@ struct ErasedSystem {
   void (*acceleration_call)(const void*, T t, const T* y, T* a) = nullptr;
   void (*jacobian_call)(const void*, T t, const T* y, T* column_major) = nullptr;
   void (*linear_part_call)(const void*, T* column_major) = nullptr;
+  BodyPlace place{};  // of a rotating body
+  void (*inertia_call)(const void*, T* principal_moments) = nullptr;
+  void (*torque_call)(const void*, T t, const T* y, T* torque) = nullptr;
   Tape<T> (*record_call)(const void*) = nullptr;
   void (*on_series)(const void*) = nullptr;  // told of every Taylor expansion, where somebody counts
 
@@ -27,13 +30,17 @@ struct ErasedSystem {
   bool force_depends_on_velocity() const { return velocity_dependent; }
   void jacobian(T t, const State& y, MatrixView<T> j) const { jacobian_call(self, t, y.data(), j.data); }
   void linear_part(MatrixView<T> l) const { linear_part_call(self, l.data); }
+  BodyPlace body_place() const { return place; }
+  void inertia(T* principal_moments) const { inertia_call(self, principal_moments); }
+  void torque(T t, const State& y, T* out) const { torque_call(self, t, y.data(), out); }
   Tape<T> tape() const { return record_call(self); }
   void count_series() const {
     if (on_series) on_series(self);
   }
 };
 
-/// Evaluations made by one run, counted on a run of its own so that counting never costs time.
+/// Evaluations made by one run, counted on a run of its own so that counting never costs time. The torque on
+/// a body is its acceleration.
 struct WorkCounts {
   long rhs = 0, acceleration = 0, jacobian = 0, series = 0, lu = 0, newton = 0;
 };
@@ -62,6 +69,11 @@ class CountingSystem {
       ++me.counts_.jacobian, me.inner_.jacobian_call(me.inner_.self, t, y, j);
     };
     out.linear_part_call = [](const void* p, T* l) { of(p).inner_.linear_part_call(of(p).inner_.self, l); };
+    out.inertia_call = [](const void* p, T* m) { of(p).inner_.inertia_call(of(p).inner_.self, m); };
+    out.torque_call = [](const void* p, T t, const T* y, T* torque) {
+      const auto& me = of(p);
+      ++me.counts_.acceleration, me.inner_.torque_call(me.inner_.self, t, y, torque);
+    };
     out.record_call = [](const void* p) { return of(p).inner_.record_call(of(p).inner_.self); };
     out.on_series = [](const void* p) { ++of(p).counts_.series; };
     return out;

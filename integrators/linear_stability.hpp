@@ -48,6 +48,14 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
 /// ln of the spectral radius of one step; accurate where it is tiny. NaN where theory says nothing.
 Coefficient growth_per_step(const Theory& theory, const LinearProblem& problem, Coefficient dt);
 
+/// One step of dt on x'' = -stiffness x - damping v, column-major; empty where theory knows no such step.
+std::vector<Coefficient> second_order_matrix(const Theory& theory, Coefficient stiffness, Coefficient damping,
+                                             Coefficient dt);
+/// Is the determinant of that step 1 without damping, whatever dt?
+bool conserves_area(const Theory& theory);
+/// Of a step that is `count` equal steps of a one-step method.
+Theory theory_of_substeps(const Theory& base, int count);
+
 /// |R(z)|; for multistep methods the largest root of rho(w) - z sigma(w). Not for moves: they see no single
 /// z.
 Coefficient amplification(const Theory& theory, WideComplex z);

@@ -53,6 +53,7 @@ struct StepFunction {
   int embedded_order;
   F step;
   std::vector<SecondOrderMove> (*moves)() = nullptr;
+  std::string_view note = "", advice = "";
 
   Theory theory() const {
     Theory theory;

@@ -48,6 +48,23 @@ concept HasLinearPart = System<P> && requires(const P& p, MatrixView<ComponentOf
   p.linear_part(l);
 };
 
+/// Where the state of a rotating body lies: three angular velocities along its principal axes, and the
+/// quaternion (scalar first) that turns body vectors into space.
+struct BodyPlace {
+  std::size_t rate = 0, attitude = 0;
+};
+
+/// A rigid body that only turns: I w' = torque - w x I w, q' = q (0, w)/2, with I the three principal moments
+/// and the torque along the axes of the body.
+template <class P>
+concept RotatingSystem = System<P> &&
+    requires(const P& p, RealOf<typename P::State> t, const typename P::State& y,
+             ComponentOf<typename P::State>* out) {
+  { p.body_place() } -> std::same_as<BodyPlace>;
+  p.inertia(out);
+  p.torque(t, y, out);
+};
+
 /// What a problem can do beyond `rhs`, and so what a method may need. Bits, because where types are erased a
 /// pair is decided at run time.
 enum Ability : unsigned {
@@ -57,6 +74,7 @@ enum Ability : unsigned {
   recordable = 8,
   separable = 16,
   double_precision = 32,
+  rotation = 64,
 };
 
 /// The sentence for the first ability that is needed and not had; empty where the pair can run.
@@ -68,6 +86,8 @@ inline std::string_view missing_ability(unsigned needed, unsigned had) {
   if (missing & Ability::linear_part) return "needs a problem that exposes a linear part";
   if (missing & Ability::recordable)
     return "needs a right-hand side that can be recorded for its Taylor series";
+  if (missing & Ability::rotation)
+    return "needs a rigid body: angular velocity, attitude, inertia and torque";
   if (missing & Ability::double_precision) return "computes in double precision only";
   return "";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 #include "integrators/stepper.hpp"
@@ -22,6 +23,11 @@ struct SecondOrderMove {
   What what;
   Coefficient weight;
 };
+
+/// One step of h on x'' = -stiffness x - damping v as a square matrix, column-major: on (x, v), or on (x, v,
+/// a) where the method carries an acceleration of its own along.
+using SecondOrderStep =
+    std::function<std::vector<Coefficient>(Coefficient stiffness, Coefficient damping, Coefficient h)>;
 
 /// The coefficients of a one-step method as plain data, row by row; `stages` 0 where there are none.
 struct Tableau {
@@ -51,6 +57,7 @@ struct Theory {
   std::vector<std::vector<Coefficient>> characteristic;
   std::vector<SecondOrderMove> moves;  // acts on (x, v) as a 2x2 matrix
   OscillatorMatrix oscillator;         // Nystrom methods: the same where there is no damping
+  SecondOrderStep second_order_step;   // the same where its entries are no polynomials in h
   bool exact_on_linear_part = false;   // exponential methods: R = exp(h L)
   Tableau tableau;                     // what numerator and denominator come from, where they come from one
   NystromTableau nystrom;              // what oscillator comes from

@@ -61,6 +61,15 @@ struct FreeRigidBody {
     y[0] = T(w1), y[1] = T(w2), y[2] = T(w3);
     y[3] = T(1), y[4] = T(0), y[5] = T(0), y[6] = T(0);
   }
+  static constexpr std::size_t rate_at = 0, attitude_at = 3;  // of w and q in the state
+  template <class T>
+  void inertia(T* out) const {
+    out[0] = T(I1), out[1] = T(I2), out[2] = T(I3);
+  }
+  template <class T>
+  void torque(const T&, const T*, T* out) const {
+    out[0] = out[1] = out[2] = T(0);
+  }
   template <class T>
   void rhs(const T&, const T* y, T* dydt) const {
     const T &a = y[0], &b = y[1], &c = y[2];

@@ -27,6 +27,12 @@ concept HasExact = requires(const F& f, long double t, const long double* y0, lo
 };
 
 template <class F>
+concept HasRotation = requires(const F& f, double t, const double* y, double* out) {
+  f.inertia(out);
+  f.torque(t, y, out);
+};
+
+template <class F>
 constexpr unsigned abilities_of() {
   unsigned abilities = Ability::jacobian | Ability::recordable | Ability::double_precision;
   if constexpr (HasAcceleration<F>) {
@@ -34,6 +40,10 @@ constexpr unsigned abilities_of() {
     if (!F::force_depends_on_velocity) abilities |= Ability::separable;
   }
   if constexpr (HasLinear<F>) abilities |= Ability::linear_part;
+  if constexpr (HasRotation<F>) {
+    static_assert(F::size == 7, "rotation methods advance the seven numbers of one body and nothing else");
+    abilities |= Ability::rotation;
+  }
   // a right-hand side that switches at given times is no single piece of straight-line code
   if constexpr (requires(const F& f) { f.switch_times(); }) abilities &= ~unsigned(Ability::recordable);
   return abilities;
@@ -62,6 +72,13 @@ ErasedSystem<T> erase(const F& family) {
     s.velocity_dependent = F::force_depends_on_velocity;
     s.acceleration_call = [](const void* p, T t, const T* y, T* a) {
       static_cast<const F*>(p)->acceleration(t, y, a);
+    };
+  }
+  if constexpr (HasRotation<F>) {
+    s.place = {F::rate_at, F::attitude_at};
+    s.inertia_call = [](const void* p, T* m) { static_cast<const F*>(p)->inertia(m); };
+    s.torque_call = [](const void* p, T t, const T* y, T* torque) {
+      static_cast<const F*>(p)->torque(t, y, torque);
     };
   }
   s.jacobian_call = [](const void* p, T t, const T* y, T* column_major) {

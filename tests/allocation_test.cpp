@@ -27,6 +27,8 @@ const std::vector<AnyProblem>& problems() {
     made.push_back(suite_problem("drag_ship_quadratic_ahead"));
     made.push_back(suite_problem("van_der_pol_mu100"));
     made.push_back(probe::problem<probe::Driven>());
+    made.push_back(probe::problem<probe::DrivenDamped>());
+    made.push_back(probe::problem<probe::DrivenTop>());
     made.push_back(probe::problem<probe::Blowup>("t_end=0.96875"));
     return made;
   }();

@@ -22,6 +22,10 @@ struct StrictSystem {
     family.acceleration(t, y.data(), a);
   }
   bool force_depends_on_velocity() const { return F::force_depends_on_velocity; }
+  BodyPlace body_place() const requires requires { F::rate_at; }
+  { return {F::rate_at, F::attitude_at}; }
+  void inertia(StrictFloat* moments) const { family.inertia(moments); }
+  void torque(StrictFloat t, const State& y, StrictFloat* out) const { family.torque(t, y.data(), out); }
   Tape<StrictFloat> tape() const { return record<StrictFloat>(family, F::size); }
   void count_series() const {}
 };
@@ -50,8 +54,9 @@ std::vector<float> strict_end(const F& family, int steps) {
 /// Implicit and exponential methods hand their matrices to linear algebra that is compiled for real floats.
 template <class Kind>
 concept LeavesLinearAlgebraToOthers =
-    (Kind::needs & Ability::linear_part) != 0 || Kind::kind_name == "diagonally implicit Runge-Kutta" ||
-    Kind::kind_name == "average vector field" || Kind::kind_name == "chapter listing";
+    (Kind::needs & (Ability::linear_part | Ability::jacobian)) != 0 ||
+    Kind::kind_name == "diagonally implicit Runge-Kutta" || Kind::kind_name == "average vector field" ||
+    Kind::kind_name == "chapter listing";
 
 template <const auto& method, class F>
 int compare(const F& family, const AnyProblem& problem) {
@@ -75,10 +80,18 @@ int compare(const F& family, const AnyProblem& problem) {
   }
 }
 
+template <const auto& method>
+int compare_where_it_runs(const AnyProblem& driven, const AnyProblem& top) {
+  if constexpr ((KindOf<method>::needs & Ability::rotation) != 0)
+    return compare<method>(probe::DrivenTop<double>{}, top);
+  else
+    return compare<method>(probe::Driven<double>{}, driven);
+}
+
 template <const auto&... methods>
 int compare_all(MethodList<methods...>) {
-  const auto problem = probe::problem<probe::Driven>();
-  return (compare<methods>(probe::Driven<double>{}, problem) + ...);
+  const auto driven = probe::problem<probe::Driven>(), top = probe::problem<probe::DrivenTop>();
+  return (compare_where_it_runs<methods>(driven, top) + ...);
 }
 
 TEST(Float, SteppersNeverLeaveTheirNumberType) { EXPECT_GE(compare_all(SuiteMethods{}), 30); }
@@ -93,11 +106,14 @@ double floor_of(const AnyMethod& method, const AnyProblem& problem, const std::v
 }
 
 TEST(Float, EveryMethodStopsWhereItsNumberTypeDoes) {
-  const auto problem = probe::problem<probe::Driven>();
-  const auto end = fine_end(problem, 256);
+  const auto driven = probe::problem<probe::Driven>(), top = probe::problem<probe::DrivenTop>();
+  const auto driven_end = fine_end(driven, 256), top_end = fine_end(top, 256);
   for (const auto& method : suite_methods()) {
     if (!method.takes_fixed_steps) continue;
     SCOPED_TRACE(method.id);
+    const bool turns = method.needs & Ability::rotation;
+    const AnyProblem& problem = turns ? top : driven;
+    const auto& end = turns ? top_end : driven_end;
     const auto narrow = solve<float>(method, problem, FixedSteps{64}).y;
     const auto plain = solve<double>(method, problem, FixedSteps{64}).y;
     const auto wide = solve<long double>(method, problem, FixedSteps{64}).y;

@@ -65,8 +65,10 @@ void expect_no_trace_of(MethodList<methods...>, const std::vector<AnyProblem>& p
 
 TEST(Rejection, LeavesNoTrace) {
   const std::vector<AnyProblem> problems{
-      probe::problem<probe::Driven>(), probe::problem<probe::DrivenDamped>(),
-      suite_problem("van_der_pol_mu1"), suite_problem("pendulum"), suite_problem("stiff_spring")};
+      probe::problem<probe::Driven>(),   probe::problem<probe::DrivenDamped>(),
+      suite_problem("van_der_pol_mu1"),  suite_problem("pendulum"),
+      suite_problem("stiff_spring"),     suite_problem("free_rigid_body"),
+      probe::problem<probe::DrivenTop>()};
   expect_no_trace_of(SuiteMethods{}, problems);
 }
 

@@ -82,10 +82,12 @@ TEST(StabilityMeasured, EverySuiteMethodAgreesWithItsTheory) {
     cannot_run += row.reason == "the method needs what the problem does not offer";
   }
   EXPECT_GE(compared + cannot_run, rows.size() - problems.size());  // all but the chapter's adaptive listing
-  // forces without velocity: the oscillator alone among these
-  EXPECT_LE(cannot_run, 6 * static_cast<std::size_t>(std::count_if(
-                                methods.begin(), methods.end(),
-                                [](const AnyMethod& m) { return (m.needs & Ability::separable) != 0; })));
+  const auto needing = [&](Ability ability) {
+    return static_cast<std::size_t>(std::count_if(
+        methods.begin(), methods.end(), [&](const AnyMethod& m) { return (m.needs & ability) != 0; }));
+  };
+  // forces without velocity: the oscillator alone among these; a body that turns: none
+  EXPECT_LE(cannot_run, 6 * needing(Ability::separable) + 7 * needing(Ability::rotation));
 }
 
 TEST(StabilityMeasured, FloatAgreesToo) {
@@ -128,6 +130,10 @@ TEST(StabilityGate, BitesOnPlantedFaults) {
   AnyMethod biased = erase_method<biased_verlet>();
   biased.theory = [] { return stormer_verlet.theory(); };
   EXPECT_GE(faults(biased, problem("oscillator")), 1u);
+  AnyMethod damped_exactly = method("semi_implicit_euler_exact_damping");
+  EXPECT_EQ(faults(damped_exactly, damped(0.5)), 0u);
+  damped_exactly.theory = method("engine_drag_rule").theory;
+  EXPECT_GE(faults(damped_exactly, damped(0.1)), 1u);
   AnyMethod claims = erase_method<heun>();  // "improved Euler is stable on the oscillator"
   claims.theory = [] { return rk4.theory(); };
   EXPECT_GE(faults(claims, problem("oscillator")), 1u);

@@ -8,12 +8,15 @@
 #include "integrators/methods/dormand_prince54.hpp"
 #include "integrators/methods/explicit_euler.hpp"
 #include "integrators/methods/implicit_midpoint.hpp"
+#include "integrators/methods/newmark_beta.hpp"
+#include "integrators/methods/rigid_body_splitting.hpp"
 #include "integrators/methods/rk4.hpp"
 #include "integrators/methods/sdirk2.hpp"
 #include "integrators/methods/semi_implicit_euler.hpp"
 #include "integrators/methods/taylor.hpp"
 #include "integrators/methods/tsitouras54.hpp"
 #include "integrators/methods/yoshida4.hpp"
+#include "problems/free_rigid_body.hpp"
 #include "problems/kepler.hpp"
 #include "problems/lorenz63.hpp"
 #include "problems/pendulum.hpp"
@@ -68,13 +71,15 @@ void print_family(const char* problem, const F& family, long steps) {
 template <class F>
 void print_all(const char* problem, const F& family, long steps) {
   print_family<F, explicit_euler, rk4, dormand_prince54, tsitouras54, adams_bashforth3, semi_implicit_euler,
-               yoshida4, implicit_midpoint, sdirk2, taylor8>(problem, family, steps);
+               yoshida4, implicit_midpoint, sdirk2, taylor8, newmark_beta, rigid_body_splitting>(
+      problem, family, steps);
 }
 
 }  // namespace
 
 int main() {
   print_all("kepler", Kepler<>{}, 300);
+  print_all("free_rigid_body", FreeRigidBody<>{}, 300);
   print_all("lorenz63", Lorenz63<>{}, 300);
   print_all("pendulum", Pendulum<>{}, 300);
   StiffSpring<> spring;

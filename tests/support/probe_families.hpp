@@ -144,8 +144,64 @@ struct Thrower {
   }
 };
 
+/// State (w, q) of a body with three moments; `torque` along its own axes.
+#define ODEMARK_BODY                                                                                        \
+  static constexpr std::size_t size = 7, rate_at = 0, attitude_at = 3;                                      \
+  static constexpr std::array<Component, size> components{                                                  \
+      {{"w1", "rad/s"}, {"w2", "rad/s"}, {"w3", "rad/s"}, {"q0", ""}, {"q1", ""}, {"q2", ""}, {"q3", ""}}}; \
+  std::array<double, size> scale() const { return {1, 1, 1, 1, 1, 1, 1}; }                                  \
+  template <class T>                                                                                        \
+  void initial(T* y) const {                                                                                \
+    y[0] = T(1), y[1] = T(0.5), y[2] = T(-0.75);                                                            \
+    y[3] = T(1), y[4] = y[5] = y[6] = T(0);                                                                 \
+  }                                                                                                         \
+  template <class T>                                                                                        \
+  void inertia(T* out) const {                                                                              \
+    out[0] = T(2), out[1] = T(1.5), out[2] = T(1);                                                          \
+  }                                                                                                         \
+  template <class T>                                                                                        \
+  void rhs(const T& t, const T* y, T* dydt) const {                                                         \
+    T push[3];                                                                                              \
+    torque(t, y, push);                                                                                     \
+    dydt[0] = (push[0] + T(0.5) * y[1] * y[2]) / T(2);                                                      \
+    dydt[1] = (push[1] - T(1) * y[2] * y[0]) / T(1.5);                                                      \
+    dydt[2] = push[2] + T(0.5) * y[0] * y[1];                                                               \
+    dydt[3] = -(y[0] * y[4] + y[1] * y[5] + y[2] * y[6]) / T(2);                                            \
+    dydt[4] = (y[0] * y[3] + y[2] * y[5] - y[1] * y[6]) / T(2);                                             \
+    dydt[5] = (y[1] * y[3] + y[0] * y[6] - y[2] * y[4]) / T(2);                                             \
+    dydt[6] = (y[2] * y[3] + y[1] * y[4] - y[0] * y[5]) / T(2);                                             \
+  }
+
+/// A top under gravity that is also driven: the torque depends on attitude and time.
+template <class Real = double>
+struct DrivenTop {
+  ODEMARK_PROBE(DrivenTop, "driven_top", "I w' + w x I w = (vertical in the body) x e3 + (sin t, 0, 0)")
+  ODEMARK_BODY
+
+  template <class T>
+  void torque(const T& t, const T* y, T* out) const {
+    using std::sin;
+    const T up1 = T(2) * (y[4] * y[6] - y[3] * y[5]), up2 = T(2) * (y[5] * y[6] + y[3] * y[4]);
+    out[0] = up2 + sin(t), out[1] = -up1, out[2] = T(0);
+  }
+};
+
+/// A top that a viscous torque slows while a motor drives it: the torque depends on the rate.
+template <class Real = double>
+struct DampedTop {
+  ODEMARK_PROBE(DampedTop, "damped_top", "I w' + w x I w = -w/2 + (0, 0, cos t)")
+  ODEMARK_BODY
+
+  template <class T>
+  void torque(const T& t, const T* y, T* out) const {
+    using std::cos;
+    out[0] = -y[0] / T(2), out[1] = -y[1] / T(2), out[2] = -y[2] / T(2) + cos(t);
+  }
+};
+
 #undef ODEMARK_PROBE
 #undef ODEMARK_SECOND_ORDER
+#undef ODEMARK_BODY
 
 template <template <class> class Family>
 AnyProblem problem(std::string_view settings = "") {
