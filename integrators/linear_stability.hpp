@@ -48,14 +48,15 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
 /// ln of the spectral radius of one step; accurate where it is tiny. NaN where theory says nothing.
 Coefficient growth_per_step(const Theory& theory, const LinearProblem& problem, Coefficient dt);
 
-/// |R(z)|; for multistep methods the largest root of rho(w) - z sigma(w). Not for moves: they see no single
-/// z.
+/// |R(z)|; for multistep methods the largest root of rho(w) - z sigma(w), or of the characteristic
+/// polynomial. Not for moves: they see no single z.
 Coefficient amplification(const Theory& theory, WideComplex z);
 
 /// The largest q with R(z) = e^z + O(z^(q+1)). What order says must vanish may be taken to be 0.
 int linear_order(const Theory& theory);
 
-/// z(phi) = rho(e^(i phi)) / sigma(e^(i phi)): the points where a multistep method has a root on the circle.
-WideComplex root_locus(const Theory& theory, Coefficient angle);
+/// All z for which a multistep method has the root e^(i angle): rho / sigma, or the two of a
+/// predictor-corrector.
+std::vector<WideComplex> root_locus(const Theory& theory, Coefficient angle);
 
 }  // namespace odemark

@@ -48,8 +48,8 @@ TEST(Catalogue, TheoryAgreesWithTheClaimedOrder) {
   for (const auto& method : suite_methods()) {
     SCOPED_TRACE(method.id);
     const Theory theory = method.theory();
-    const int filled = !theory.numerator.empty() + !theory.rho.empty() + !theory.moves.empty() +
-                       theory.exact_on_linear_part + !theory.blank_reason.empty();
+    const int filled = !theory.numerator.empty() + !theory.rho.empty() + !theory.characteristic.empty() +
+                       !theory.moves.empty() + theory.exact_on_linear_part + !theory.blank_reason.empty();
     EXPECT_EQ(filled, 1) << "exactly one way of saying how it acts on y' = lambda y";
     if (theory.numerator.empty()) continue;
     Coefficient factorial = 1;

@@ -146,7 +146,7 @@ TEST(Yardstick, TaylorOfTwentyOrdersMeetsTheClosedForm) {
 /// limits.
 TEST(ErrorControl, ErrorFollowsTolerance) {
   for (const auto& method : suite_methods()) {
-    if (!method.takes_error_control || !method.takes_fixed_steps) continue;
+    if (!method.takes_error_control || method.kind == "chapter listing") continue;  // its faults are kept
     SCOPED_TRACE(method.id);
     const auto& ground = grounds()[2];
     if (!can_run<double>(method, ground.problem)) continue;
