@@ -68,7 +68,8 @@ struct FixedExtrapolation {
   static constexpr std::string_view kind_name = Rule::kind_name;
   static constexpr unsigned needs = 0;
 
-  std::string_view id, source, advice;
+  std::string_view id, source;
+  std::string_view advice = "";
   int order = Rule::order_of(Rows);
   int embedded_order = Rule::order_of(Rows - 1);
 
@@ -84,7 +85,8 @@ struct VariableExtrapolation {
   static constexpr unsigned needs = 0;
   static constexpr bool takes_fixed_steps = false;
 
-  std::string_view id, source, advice;
+  std::string_view id, source;
+  std::string_view advice = "";
   int order = Rule::order_of(Rule::most_rows - 1);
   int embedded_order = Rule::order_of(Rule::most_rows - 2);
 

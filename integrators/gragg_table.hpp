@@ -82,22 +82,22 @@ class GraggTable {
 /// The same as an explicit Runge-Kutta method: its tableau, and its stability polynomial.
 template <std::size_t Rows>
 Theory gragg_theory() {
-  using Row = std::vector<Coefficient>;
-  std::vector<Row> a{Row{}};       // weights of the slopes in every stage
-  std::vector<Row> table, before;  // weights of the slopes in the entries of the extrapolation
-  const auto sum = [](const Row& x, Coefficient factor, const Row& y) {
-    Row out(std::max(x.size(), y.size()), 0);
+  using Weights = std::vector<Coefficient>;
+  std::vector<Weights> a{Weights{}};   // weights of the slopes in every stage
+  std::vector<Weights> table, before;  // weights of the slopes in the entries of the extrapolation
+  const auto sum = [](const Weights& x, Coefficient factor, const Weights& y) {
+    Weights out(std::max(x.size(), y.size()), 0);
     for (std::size_t i = 0; i < x.size(); ++i) out[i] += x[i];
     for (std::size_t i = 0; i < y.size(); ++i) out[i] += factor * y[i];
     return out;
   };
   for (std::size_t j = 0; j < Rows; ++j) {
     const int count = 2 * int(j + 1);
-    Row even, odd{1 / Coefficient(count)};
+    Weights even, odd{1 / Coefficient(count)};
     for (int m = 1; m < count; ++m) {
-      Row& to = m % 2 == 1 ? even : odd;
+      Weights& to = m % 2 == 1 ? even : odd;
       a.push_back(m % 2 == 1 ? odd : even);
-      Row slope(a.size(), 0);
+      Weights slope(a.size(), 0);
       slope.back() = 1;
       to = sum(to, 2 / Coefficient(count), slope);
     }
@@ -112,11 +112,11 @@ Theory gragg_theory() {
   const std::size_t stages = a.size();
   theory.tableau.stages = stages;
   theory.tableau.a.assign(stages * stages, 0);
-  std::vector<Row> stage_polynomials;
-  const auto apply = [&](const Row& weights) {
-    Row out{1};
+  std::vector<Weights> stage_polynomials;
+  const auto apply = [&](const Weights& weights) {
+    Weights out{1};
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      Row shifted = stage_polynomials[i];
+      Weights shifted = stage_polynomials[i];
       shifted.insert(shifted.begin(), 0);
       out = sum(out, weights[i], shifted);
     }

@@ -110,10 +110,12 @@ Theory linearly_implicit_theory() {
   };
   Theory theory;
   theory.denominator = over_all_but(Rows);
+  theory.rounding_amplification = 0;
   for (std::size_t j = 0; j < Rows; ++j) {
     Coefficient weight = 1;
     for (std::size_t i = 0; i < Rows; ++i)
       if (i != j) weight *= Coefficient(First + int(j)) / (Coefficient(int(j)) - Coefficient(int(i)));
+    theory.rounding_amplification += std::abs(weight);
     const auto part = over_all_but(j);
     theory.numerator.resize(std::max(theory.numerator.size(), part.size()), 0);
     for (std::size_t k = 0; k < part.size(); ++k) theory.numerator[k] += weight * part[k];

@@ -72,7 +72,8 @@ struct LinearMultistep {
   static constexpr unsigned needs = 0;
   static constexpr std::string_view starter_id() { return starter.id; }
 
-  std::string_view id, source, advice;
+  std::string_view id, source;
+  std::string_view advice = "";
   int order;
   int embedded_order = 0;
   MultistepFormula<Steps> formula;
@@ -111,7 +112,8 @@ struct PredictorCorrector {
   static constexpr unsigned needs = 0;
   static constexpr std::string_view starter_id() { return starter.id; }
 
-  std::string_view id, source, advice;
+  std::string_view id, source;
+  std::string_view advice = "";
   int order;
   int embedded_order = 0;
   MultistepFormula<Steps> predictor, corrector;

@@ -30,14 +30,16 @@ struct Tableau {
   std::vector<Coefficient> gamma;             // Rosenbrock: Gamma with its diagonal, a is alpha; else empty
 };
 
-/// Exactly one of the members but `tableau` is filled; which one says how the method acts on y' = lambda y.
+/// Exactly one of the members but the last three is filled; which one says how the method acts on y' = lambda
+/// y.
 struct Theory {
   std::vector<Coefficient> numerator, denominator;  // R(z) = numerator / denominator, ascending powers
   std::vector<Coefficient> rho, sigma;              // multistep: rho(w) - z sigma(w), ascending powers
   /// Multistep beyond rho - z sigma (PECE): the coefficient of z^k w^j is characteristic[k][j].
   std::vector<std::vector<Coefficient>> characteristic;
-  std::vector<SecondOrderMove> moves;  // acts on (x, v) as a 2x2 matrix
-  bool exact_on_linear_part = false;   // exponential methods: R = exp(h L)
+  std::vector<SecondOrderMove> moves;      // acts on (x, v) as a 2x2 matrix
+  bool exact_on_linear_part = false;       // exponential methods: R = exp(h L)
+  Coefficient rounding_amplification = 1;  // of a step's own rounding: where values of large weight cancel
   Tableau tableau;                     // what numerator and denominator come from, where they come from one
   std::string_view blank_reason = "";  // why nothing can be said, where nothing can
 };

@@ -14,7 +14,8 @@ struct VariableOrderBdf {
   static constexpr unsigned needs = 0;
   static constexpr bool takes_fixed_steps = false;
 
-  std::string_view id, source, advice;
+  std::string_view id, source;
+  std::string_view advice = "";
   int order = BdfFormulas::highest_order;
   int embedded_order = BdfFormulas::highest_order - 1;
   std::array<Coefficient, BdfFormulas::highest_order + 1> kappa{};  // by order; [0] unused

@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 
+#include "integrators/linear_stability_parts.hpp"
 #include "reports/observed_order.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
@@ -18,28 +19,29 @@ namespace {
 struct Ground {
   AnyProblem problem;
   std::vector<long double> end;
-  bool nonlinear, driven;
+  bool nonlinear, driven, damped;
 };
 
 /// High orders need long intervals: on short ones two rungs of the ladder lead from nothing to round-off.
 std::vector<Ground> make_grounds(bool long_ones) {
   std::vector<Ground> made;
-  const auto add = [&](auto make, double short_end, double long_end, bool nonlinear, bool driven) {
+  const auto add = [&](auto make, double short_end, double long_end, bool nonlinear, bool driven,
+                       bool damped) {
     AnyProblem problem = make(fmt::format("t_end={}", long_ones ? long_end : short_end));
     auto end = fine_end(problem, 1024);
-    made.push_back({std::move(problem), std::move(end), nonlinear, driven});
+    made.push_back({std::move(problem), std::move(end), nonlinear, driven, damped});
   };
   const auto suite = [](const char* id, const char* more = "") {
     return [=](const std::string& settings) { return suite_problem(id, settings + more); };
   };
-  add([](const std::string& s) { return probe::problem<probe::Driven>(s); }, 2, 8, true, true);
-  add([](const std::string& s) { return probe::problem<probe::DrivenDamped>(s); }, 2, 8, true, true);
-  add(suite("pendulum"), 1.5, 12, true, false);
-  add(suite("kepler_e02"), 2, 24, true, false);
-  add(suite("van_der_pol_mu1"), 2, 8, true, false);
-  add(suite("lorenz63"), 0.5, 3, true, false);
-  add(suite("free_rigid_body"), 1.5, 12, true, false);
-  add(suite("stiff_spring", ",k=4,c=0.5"), 2, 16, false, true);
+  add([](const std::string& s) { return probe::problem<probe::Driven>(s); }, 2, 8, true, true, false);
+  add([](const std::string& s) { return probe::problem<probe::DrivenDamped>(s); }, 2, 8, true, true, true);
+  add(suite("pendulum"), 1.5, 12, true, false, false);
+  add(suite("kepler_e02"), 2, 24, true, false, false);
+  add(suite("van_der_pol_mu1"), 2, 8, true, false, true);
+  add(suite("lorenz63"), 0.5, 3, true, false, true);
+  add(suite("free_rigid_body"), 1.5, 12, true, false, false);
+  add(suite("stiff_spring", ",k=4,c=0.5"), 2, 16, false, true, true);
   return made;
 }
 const std::vector<Ground>& grounds(bool long_ones = false) {
@@ -89,12 +91,24 @@ ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
   return observed_order(rows, options);
 }
 
+/// A second root of rho on the unit circle: on every decay it grows, the faster the shorter the decay, and
+/// what it makes of the rounding and of the start is no error term with an order.
+bool only_weakly_stable(const AnyMethod& method) {
+  const Theory theory = method.theory();
+  if (!detail::is_multistep(theory)) return false;
+  const auto rho = detail::characteristic_of(theory)[0];
+  int on_the_circle = 0;
+  for (const auto& w : polynomial_roots({rho.begin(), rho.end()})) on_the_circle += std::abs(w) > 1 - 1e-6L;
+  return on_the_circle > 1;
+}
+
 class Convergence : public testing::TestWithParam<AnyMethod> {};
 
 TEST_P(Convergence, ClaimedOrderIsObserved) {
   const AnyMethod& method = GetParam();
   int measured = 0, holds = 0, nonlinear = 0, driven = 0;
-  const bool high = method.order > 6;
+  // the expansion of linearly implicit steps in h, not h^2, comes to its leading term later than others
+  const bool high = method.order > (method.kind == "linearly implicit extrapolation" ? 5 : 6);
   for (const auto& ground : grounds(high)) {
     if (!can_run<double>(method, ground.problem)) continue;
     const ObservedOrder order = high ? measure<long double>(method, ground) : measure<double>(method, ground);
@@ -111,6 +125,7 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
       }
       continue;
     }
+    if (ground.damped && only_weakly_stable(method)) continue;
     ++measured, nonlinear += ground.nonlinear, driven += ground.driven;
     holds += order.verdict == OrderVerdict::holds;
     // better than claimed happens where an error term vanishes; worse, or not to be told, must not
