@@ -58,7 +58,7 @@ Real squared_growth(std::size_t size, std::vector<Real> matrix, int most) {
 long double matrix_growth(std::size_t size, const std::vector<long double>& matrix) {
   if (size == 2) return growth_of_two_by_two(matrix[0], matrix[1], matrix[2], matrix[3]);
   // most steps are far from the boundary, and double tells that in a fifth of the time
-  const double growth = squared_growth<double>(size, {matrix.begin(), matrix.end()}, 30);
+  const double growth = squared_growth<double>(size, {matrix.begin(), matrix.end()}, 54);
   if (std::isfinite(growth) && std::abs(growth) > 1e-3) return static_cast<long double>(growth);
   return growth_by_squaring(size, matrix);
 }

@@ -27,7 +27,11 @@ class MultistepHistory {
   }
 
   std::size_t history_length() const { return past_slopes + past_states; }
-  State& history(std::size_t k) { return k < past_slopes ? slope(k + 1) : state(k - past_slopes + 1); }
+  State& history(std::size_t k) {
+    if constexpr (past_slopes > 0)
+      if (k < past_slopes) return slope(k + 1);
+    return state(k - past_slopes + 1);
+  }
   void assume_history() { known_ = std::max(past_slopes, past_states); }
 
  protected:
