@@ -14,7 +14,7 @@ namespace {
 constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
 
 bool has_function(const Theory& t) { return !t.numerator.empty(); }
-bool is_multistep(const Theory& t) { return !t.rho.empty(); }
+using detail::is_multistep;
 bool knows_no_damping(const Theory& t) { return !t.oscillator.xx.empty(); }
 
 StabilityLimit unknown(std::string reason) {
@@ -104,7 +104,7 @@ Coefficient growth_per_step(const Theory& theory, const LinearProblem& problem, 
     largest = std::max(largest, l == WideComplex(0) ? 0
                                 : theory.exact_on_linear_part
                                     ? z.real()
-                                    : (is_multistep(theory) ? std::log(amplification(theory, z))
+                                    : (is_multistep(theory) ? detail::multistep_log_amplification(theory, z)
                                                             : detail::log_amplification(theory, z)));
   }
   return largest;
@@ -122,14 +122,15 @@ Coefficient amplification(const Theory& theory, WideComplex z) {
   return at(theory.numerator) / at(theory.denominator);
 }
 
-WideComplex root_locus(const Theory& theory, Coefficient angle) {
+std::vector<WideComplex> root_locus(const Theory& theory, Coefficient angle) {
   const WideComplex w = std::polar(Coefficient(1), angle);
-  const auto at = [&](const std::vector<Coefficient>& p) {
+  std::vector<WideComplex> in_z;
+  for (const auto& c : detail::characteristic_of(theory)) {
     WideComplex sum = 0;
-    for (std::size_t k = p.size(); k-- > 0;) sum = sum * w + p[k];
-    return sum;
-  };
-  return at(theory.rho) / at(theory.sigma);
+    for (std::size_t k = c.size(); k-- > 0;) sum = sum * w + c[k];
+    in_z.push_back(sum);
+  }
+  return polynomial_roots(in_z);
 }
 
 }  // namespace odemark

@@ -10,9 +10,18 @@ RealPolynomial boundary_polynomial(const Theory& theory, WideComplex direction);
 NonNegative stable_along_ray(const Theory& theory, WideComplex direction);
 Coefficient log_amplification(const Theory& theory, WideComplex z);
 
+bool is_multistep(const Theory& theory);
+/// The coefficient of z^k w^j is [k][j]: of rho(w) - z sigma(w), or of what a predictor-corrector adds in
+/// z^2.
+std::vector<std::vector<Coefficient>> characteristic_of(const Theory& theory);
+/// sum_j c_j w^j at one z.
+std::vector<WideComplex> characteristic_at(const Theory& theory, WideComplex z);
 NonNegative multistep_stable_along_ray(const Theory& theory, WideComplex direction);
 bool zero_stable(const Theory& theory);
 Coefficient largest_multistep_root(const Theory& theory, WideComplex z);
+/// ln of that root. Near z = 0 the root that follows e^z is found as e^z (1 + what its order leaves), so that
+/// growth far below a rounding of 1 keeps its sign: otherwise Adams methods seem stable where they are not.
+Coefficient multistep_log_amplification(const Theory& theory, WideComplex z);
 
 /// Theories that act on (x, v) of one degree of freedom: moves, matrices that know no damping, functions.
 bool is_second_order(const Theory& theory);

@@ -48,17 +48,18 @@ struct OscillatorMatrix {
   std::vector<Coefficient> xx, xv, vx, vv;
 };
 
-/// Exactly one of the members but `tableau` and `nystrom` is filled; which one says how the method acts on y'
-/// = lambda y.
+/// Exactly one of the members down to `exact_on_linear_part` is filled, or `blank_reason`; which one says how
+/// the method acts on y' = lambda y.
 struct Theory {
   std::vector<Coefficient> numerator, denominator;  // R(z) = numerator / denominator, ascending powers
   std::vector<Coefficient> rho, sigma;              // multistep: rho(w) - z sigma(w), ascending powers
   /// Multistep beyond rho - z sigma (PECE): the coefficient of z^k w^j is characteristic[k][j].
   std::vector<std::vector<Coefficient>> characteristic;
-  std::vector<SecondOrderMove> moves;  // acts on (x, v) as a 2x2 matrix
-  OscillatorMatrix oscillator;         // Nystrom methods: the same where there is no damping
-  SecondOrderStep second_order_step;   // the same where its entries are no polynomials in h
-  bool exact_on_linear_part = false;   // exponential methods: R = exp(h L)
+  std::vector<SecondOrderMove> moves;      // acts on (x, v) as a 2x2 matrix
+  OscillatorMatrix oscillator;             // Nystrom methods: the same where there is no damping
+  SecondOrderStep second_order_step;       // the same where its entries are no polynomials in h
+  bool exact_on_linear_part = false;       // exponential methods: R = exp(h L)
+  Coefficient rounding_amplification = 1;  // of a step's own rounding: where values of large weight cancel
   Tableau tableau;                     // what numerator and denominator come from, where they come from one
   NystromTableau nystrom;              // what oscillator comes from
   std::string_view blank_reason = "";  // why nothing can be said, where nothing can

@@ -139,34 +139,6 @@ TEST(StabilityTheory, TheShipsPositionNeverLimits) {
   EXPECT_EQ(verdict_of("implicit_euler", ship), Stability::unlimited);
 }
 
-// --- theory: multistep ---
-
-TEST(StabilityTheory, MultistepTraps) {
-  const auto ab4 = multistep({0, 0, 0, -1, 1}, {-9 / 24.0L, 37 / 24.0L, -59 / 24.0L, 55 / 24.0L, 0});
-  EXPECT_NEAR(limit_of(ab4, real_axis()), 0.3, 1e-12);  // its locus crosses itself
-  const auto two_step_midpoint = multistep({-1, 0, 1}, {0, 2});
-  EXPECT_NEAR(limit_of(two_step_midpoint, imaginary_axis()), 1,
-              1e-9);  // both roots on the circle all the way
-  EXPECT_EQ(stability_limit(two_step_midpoint, real_axis()).verdict, Stability::unstable);
-  EXPECT_NEAR(double(growth_per_step(two_step_midpoint, real_axis(), 0.1L)), std::asinh(0.1), 1e-15);
-  const auto bdf2 = multistep({1, -4, 3}, {0, 0, 2});
-  EXPECT_EQ(stability_limit(bdf2, real_axis()).verdict, Stability::unlimited);
-  EXPECT_EQ(stability_limit(bdf2, imaginary_axis()).verdict, Stability::unlimited);
-  // BDF3 is A(86.032 degrees)-stable: just inside there is no limit, just outside there is a gap
-  const auto bdf3 = multistep({-2, 9, -18, 11}, {0, 0, 0, 6});
-  const auto at_angle = [](double degrees) {
-    const Coefficient a = Coefficient(degrees) * std::numbers::pi_v<Coefficient> / 180;
-    return ray(-std::cos(a), std::sin(a));
-  };
-  EXPECT_EQ(stability_limit(bdf3, at_angle(86.03)).verdict, Stability::unlimited);
-  const auto outside = stability_limit(bdf3, at_angle(86.04));
-  EXPECT_EQ(outside.verdict, Stability::limit);
-  ASSERT_EQ(outside.later_bands.size(), 1u);
-  EXPECT_EQ(outside.later_bands[0].second, std::numeric_limits<Coefficient>::infinity());
-  // order 3 and consistent, but rho has the root -5
-  EXPECT_EQ(stability_limit(multistep({-5, 4, 1}, {2, 4}), real_axis()).verdict, Stability::unstable);
-}
-
 // --- theory: moves, and which update of table 3.5 each method is ---
 
 TEST(StabilityTheory, MovesOnDampedSprings) {
