@@ -1,0 +1,128 @@
+// When a simplified Newton iteration has converged, when it is hopeless, and what that says about the step.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "integrators/step_control.hpp"
+
+namespace odemark {
+
+enum class NewtonVerdict { go_on, converged, hopeless };
+
+/// Iterates as far as rounding allows. All sizes are sums of absolute values; `terms` is what the unknown is
+/// the small difference of. A NaN is hopeless.
+template <class Real>
+class RoundOffStop {
+ public:
+  explicit RoundOffStop(int most) : most_(most) {}
+
+  NewtonVerdict judge(Real moved, Real size, Real terms) {
+    constexpr Real unit = std::numeric_limits<Real>::epsilon();
+    if (!std::isfinite(moved + size)) return NewtonVerdict::hopeless;
+    // the next correction would be lost in the last bit; or corrections that no longer shrink, small already
+    const bool invisible = moved <= unit * size / 8 || moved * moved <= unit * size / 8 * previous_;
+    const bool stalled = moved >= previous_ / 2 && moved <= 4096 * unit * (size + terms);
+    if ((iteration_ > 0 && invisible) || stalled || moved == 0) return NewtonVerdict::converged;
+    if (++iteration_ >= most_) return NewtonVerdict::hopeless;
+    if (most_ <= 20 && iteration_ > 3 && moved > 2 * previous_) return NewtonVerdict::hopeless;
+    previous_ = moved;
+    return NewtonVerdict::go_on;
+  }
+
+ private:
+  int most_, iteration_ = 0;
+  Real previous_ = std::numeric_limits<Real>::infinity();
+};
+
+/// Newton under error control, after E. Hairer, G. Wanner, Solving ODEs II, IV.8, eq. 8.10-8.12: theta is the
+/// rate of contraction, eta = theta / (1 - theta) bounds the rest by the last correction, kappa the rest by the
+/// tolerance. The tolerance is that of the estimate: where the estimate is of lower order than the step, it is
+/// the power of the user's that makes errors proportional to what was asked.
+template <class Real>
+class NewtonControl {
+ public:
+  void start(const ErrorControl& control, int embedded_order, int order, std::size_t stages) {
+    control_ = &control;
+    const double asked =
+        control.relative_tolerance > 0 ? control.relative_tolerance : control.absolute_tolerance;
+    const double power = double(embedded_order + 1) / double(order + 1);
+    const double used = power < 1 ? std::min(0.1 * std::pow(asked, power), 0.1) : asked;
+    ratio_ = used / asked;
+    const double unit = double(std::numeric_limits<Real>::epsilon());
+    kappa_ = Real(std::max(10 * unit / used, std::min(0.03, std::sqrt(used))));
+    most_ = 7 + int(5 * (stages > 3 ? stages - 3 : 0)) / 2;
+    eta_ = 1, theta_ = 1, failed_factor_ = 0.5;
+    failed_ = false;
+  }
+
+  double tolerance_ratio() const { return ratio_; }
+  double inverse_weight(std::size_t n, double size) const {
+    return 1 / (ratio_ * error_weight(*control_, n, size));
+  }
+  /// Of an error not yet divided by tolerance_ratio().
+  template <State S>
+  double norm(const S& error, const S& y) const {
+    double sum = 0;
+    for_each_component(y, [&](std::size_t n) {
+      const double ratio = double(error.data()[n]) * inverse_weight(n, std::abs(double(y.data()[n])));
+      sum += ratio * ratio;
+    });
+    return std::sqrt(sum / static_cast<double>(size_of(y)));
+  }
+
+  void begin() {
+    iteration_ = 0;
+    const Real root = std::sqrt(std::max(eta_, std::numeric_limits<Real>::epsilon()));
+    eta_ = root * std::sqrt(root);  // eta^0.75: the rate of the last step, trusted a little less
+  }
+  NewtonVerdict judge(Real moved) {
+    ++iteration_;
+    failed_factor_ = 0.5;
+    if (iteration_ > 1) {
+      const Real rate = moved / previous_;
+      theta_ = iteration_ == 2 ? rate : std::sqrt(rate * previous_rate_);
+      previous_rate_ = rate;
+      if (!(theta_ < Real(0.99))) return NewtonVerdict::hopeless;
+      eta_ = theta_ / (1 - theta_);
+      Real left = eta_ * moved;
+      for (int i = iteration_; i < most_ - 1; ++i) left *= theta_;
+      if (left >= kappa_) {  // it would not come there in time: how much shorter must the step be?
+        const double excess = std::clamp(double(left / kappa_), 1e-4, 20.0);
+        failed_factor_ = 0.8 * std::pow(excess, -1.0 / (3 + most_ - iteration_));
+        if (iteration_ < most_) return NewtonVerdict::hopeless;
+      }
+    }
+    previous_ = std::max(moved, std::numeric_limits<Real>::min());
+    if (eta_ * moved <= kappa_) return NewtonVerdict::converged;
+    return iteration_ < most_ && moved == moved ? NewtonVerdict::go_on : NewtonVerdict::hopeless;
+  }
+
+  bool converges_fast() const { return iteration_ == 1 || theta_ <= Real(0.001); }
+  int iterations() const { return iteration_; }
+  Real theta() const { return iteration_ == 1 ? Real(0) : theta_; }
+
+  double choose_factor(double wished, double norm) {
+    if (!(norm < 1e300)) {
+      failed_ = true;
+      return std::isnan(norm) ? failed_factor_ : wished;
+    }
+    if (!(norm <= 1)) return wished;
+    // many iterations are a warning: half of them are granted (Solving ODEs II, IV.8, eq. 8.21)
+    wished *= double(2 * most_ + 1) / double(2 * most_ + iteration_);
+    if (failed_) wished = std::min(wished, 1.0);
+    failed_ = false;
+    // the same step keeps the factors, which are worth more than a fifth of a step
+    return wished >= 1 && wished <= 1.2 && converges_fast() ? 1.0 : wished;
+  }
+
+ private:
+  const ErrorControl* control_ = nullptr;
+  double ratio_ = 1, failed_factor_ = 0.5;
+  Real kappa_ = 0, eta_ = 1, theta_ = 1, previous_ = 1, previous_rate_ = 1;
+  int most_ = 7, iteration_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace odemark
