@@ -67,9 +67,10 @@ class FullyImplicitRungeKuttaStepper {
     keep_jacobian_ = control_ && newton_.converges_fast();
   }
 
-  /// The factor on h to take for the `wished` one; `norm` is the error of the last attempt, NaN where it
-  /// failed.
-  Real choose_factor(Real wished, double norm) { return Real(newton_.choose_factor(double(wished), norm)); }
+  /// The factor on h after an attempt with this error, NaN where it failed.
+  Real own_factor(Real h, double norm) {
+    return Real(newton_.predict_factor(double(h), norm, method.embedded_order + 1));
+  }
 
   // what a driver of several methods decides by
   const NewtonControl<Real>& newton() const { return newton_; }

@@ -55,6 +55,7 @@ class NewtonControl {
     most_ = 7 + int(5 * (stages > 3 ? stages - 3 : 0)) / 2;
     eta_ = 1, theta_ = 1, failed_factor_ = 0.5;
     failed_ = false;
+    last_h_ = 0;
   }
 
   double tolerance_ratio() const { return ratio_; }
@@ -103,26 +104,61 @@ class NewtonControl {
   int iterations() const { return iteration_; }
   Real theta() const { return iteration_ == 1 ? Real(0) : theta_; }
 
+  /// The factor on h for the `wished` one of a step-size filter; `norm` is the error of the last attempt, NaN
+  /// where it failed.
   double choose_factor(double wished, double norm) {
     if (!(norm < 1e300)) {
       failed_ = true;
       return std::isnan(norm) ? failed_factor_ : wished;
     }
     if (!(norm <= 1)) return wished;
-    // many iterations are a warning: half of them are granted (Solving ODEs II, IV.8, eq. 8.21)
-    wished *= double(2 * most_ + 1) / double(2 * most_ + iteration_);
+    wished *= patience();
     if (failed_) wished = std::min(wished, 1.0);
     failed_ = false;
-    // the same step keeps the factors, which are worth more than a fifth of a step
-    return wished >= 1 && wished <= 1.2 && converges_fast() ? 1.0 : wished;
+    return settle(wished);
+  }
+
+  /// The predictive controller (K. Gustafsson, ACM TOMS 20 (1994) 496-517; Solving ODEs II, IV.8, eq. 8.25):
+  /// errors of stiff problems grow by the same factor from step to step, and this one sees it coming.
+  double predict_factor(double h, double norm, int error_order) {
+    const ErrorControl& c = *control_;
+    if (!(norm < 1e300)) {
+      failed_ = true;
+      return failed_factor_;
+    }
+    const double root = inverse_root(std::max(norm, 1e-10), error_order);
+    double wished = c.safety * patience() * root;
+    if (!(norm <= 1)) {
+      failed_ = true;
+      return last_h_ == 0 ? 0.1 : std::clamp(wished, c.smallest_factor, c.safety);
+    }
+    if (last_h_ != 0) wished = std::min(wished, c.safety * h / last_h_ * root * root / last_root_);
+    last_h_ = h;
+    last_root_ = inverse_root(std::max(norm, 1e-2), error_order);
+    wished = std::clamp(wished, c.smallest_factor, failed_ ? 1.0 : c.largest_factor);
+    failed_ = false;
+    return settle(wished);
   }
 
  private:
   const ErrorControl* control_ = nullptr;
   double ratio_ = 1, failed_factor_ = 0.5;
   Real kappa_ = 0, eta_ = 1, theta_ = 1, previous_ = 1, previous_rate_ = 1;
+  /// Many iterations are a warning (Solving ODEs II, IV.8, eq. 8.21).
+  double patience() const { return double(2 * most_ + 1) / double(2 * most_ + iteration_); }
+  /// The same step keeps the factors, which are worth more than a fifth of a step.
+  double settle(double factor) const {
+    return factor >= 1 && factor <= 1.2 && converges_fast() ? 1.0 : factor;
+  }
+  static double inverse_root(double x, int order) {
+    return order == 4   ? 1 / std::sqrt(std::sqrt(x))
+           : order == 8 ? 1 / std::sqrt(std::sqrt(std::sqrt(x)))
+                        : std::pow(x, -1.0 / order);
+  }
+
   int most_ = 7, iteration_ = 0;
   bool failed_ = false;
+  double last_h_ = 0, last_root_ = 1;
 };
 
 }  // namespace odemark
