@@ -13,9 +13,9 @@
 namespace odemark {
 
 /// E. Hairer, G. Wanner, Solving ODEs II, IV.8: unknowns are z_i = Y_i - y, decoupled by the eigenvectors of
-/// A into one real and half as many complex systems. Started plainly it iterates to round-off; started with an
-/// error control it stops where the error of the iteration is small beside the tolerance, keeps Jacobian and
-/// factors while they serve, and advises on the step.
+/// A into one real and half as many complex systems. Started plainly it iterates to round-off; started with
+/// an error control it stops where the error of the iteration is small beside the tolerance, keeps Jacobian
+/// and factors while they serve, and advises on the step.
 template <const auto& method, System P>
 class FullyImplicitRungeKuttaStepper {
  public:
@@ -143,13 +143,12 @@ class FullyImplicitRungeKuttaStepper {
     for (std::size_t m = 0; m < real_modes; ++m)
       if (tables_.shift_re[m] != 0) real_lu_[m].factorize(jacobian_.data(), tables_.shift_re[m] / h);
     for (std::size_t p = 0; p < pairs; ++p)
-      pair_lu_[p].factorize(jacobian_.data(), {tables_.shift_re[real_modes + p] / h,
-                                               tables_.shift_im[real_modes + p] / h});
+      pair_lu_[p].factorize(jacobian_.data(),
+                            {tables_.shift_re[real_modes + p] / h, tables_.shift_im[real_modes + p] / h});
   }
 
   static void clear(Stages& stages) {
-    for (auto& s : stages)
-      for_each_component(s, [&](std::size_t n) { s.data()[n] = Real(0); });
+    for (auto& s : stages) for_each_component(s, [&](std::size_t n) { s.data()[n] = Real(0); });
   }
   using Matrix = std::array<std::array<Real, S>, S>;
   /// out_i = sum_j matrix_ij in_j, component by component.
@@ -204,9 +203,8 @@ class FullyImplicitRungeKuttaStepper {
       State &re = r_[real_modes + 2 * p], &im = r_[real_modes + 2 * p + 1];
       for_each_component(re, [&](std::size_t n) { complex_[n] = {re.data()[n], im.data()[n]}; });
       pair_lu_[p].solve_in_place(complex_.data());
-      for_each_component(re, [&](std::size_t n) {
-        re.data()[n] = complex_[n].re, im.data()[n] = complex_[n].im;
-      });
+      for_each_component(
+          re, [&](std::size_t n) { re.data()[n] = complex_[n].re, im.data()[n] = complex_[n].im; });
     }
     ++counts_.newton;
   }
@@ -237,8 +235,7 @@ class FullyImplicitRungeKuttaStepper {
     });
     for_each_shift(h, [&](std::size_t row, std::size_t other, Real re, Real im) {
       if (row == other) {
-        if (re != 0)
-          for_each_component(stage_, [&](std::size_t n) { r_[row].data()[n] *= re; });
+        if (re != 0) for_each_component(stage_, [&](std::size_t n) { r_[row].data()[n] *= re; });
         return;
       }
       for_each_component(stage_, [&](std::size_t n) {
@@ -292,7 +289,8 @@ class FullyImplicitRungeKuttaStepper {
     for (;;) {
       if (every) {
         constexpr std::size_t middle = S / 2;
-        for_each_component(y, [&](std::size_t n) { increment_.data()[n] = y.data()[n] + z_[middle].data()[n]; });
+        for_each_component(y,
+                           [&](std::size_t n) { increment_.data()[n] = y.data()[n] + z_[middle].data()[n]; });
         evaluate_jacobian(system_, t + tables_.c[middle] * h, increment_,
                           MatrixView<Real>{jacobian_.data(), size_}, spare_, more_, stage_);
         factored_h_ = 0;

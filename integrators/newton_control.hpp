@@ -37,9 +37,9 @@ class RoundOffStop {
 };
 
 /// Newton under error control, after E. Hairer, G. Wanner, Solving ODEs II, IV.8, eq. 8.10-8.12: theta is the
-/// rate of contraction, eta = theta / (1 - theta) bounds the rest by the last correction, kappa the rest by the
-/// tolerance. The tolerance is that of the estimate: where the estimate is of lower order than the step, it is
-/// the power of the user's that makes errors proportional to what was asked.
+/// rate of contraction, eta = theta / (1 - theta) bounds the rest by the last correction, kappa the rest by
+/// the tolerance. The tolerance is that of the estimate: where the estimate is of lower order than the step,
+/// it is the power of the user's that makes errors proportional to what was asked.
 template <class Real>
 class NewtonControl {
  public:

@@ -104,7 +104,8 @@ StageModes stage_modes(std::size_t size, const Coefficient* a) {
     Complex quotient{}, product{};
     for (std::size_t j = 0; j < size; ++j) {
       product = product + left[j] * right[j];
-      for (std::size_t k = 0; k < size; ++k) quotient = quotient + scaled(left[j] * right[k], a[j * size + k]);
+      for (std::size_t k = 0; k < size; ++k)
+        quotient = quotient + scaled(left[j] * right[k], a[j * size + k]);
     }
     const Complex unit = reciprocal_of(product);
     for (std::size_t j = 0; j < size; ++j) left[j] = left[j] * unit;
