@@ -43,6 +43,12 @@ class FullyImplicitRungeKuttaStepper {
     newton_.start(control, method.embedded_order, method.order, S);
     forget();
   }
+  /// Start in the middle of a run of another method of the family.
+  void resume(const ErrorControl& control) {
+    start(control);
+    newton_.resume();
+    first_ = false;
+  }
   NewtonCounts newton_counts() const { return counts_; }
 
   StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
@@ -72,9 +78,7 @@ class FullyImplicitRungeKuttaStepper {
     return Real(newton_.predict_factor(double(h), norm, method.embedded_order + 1));
   }
 
-  // what a driver of several methods decides by
   const NewtonControl<Real>& newton() const { return newton_; }
-  void renounce_history() { last_h_ = 0; }
 
  private:
   static constexpr std::size_t S = method.stages, N = inlined_size<State>, real_modes = method.real_modes,

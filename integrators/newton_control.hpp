@@ -56,7 +56,9 @@ class NewtonControl {
     eta_ = 1, theta_ = 1, failed_factor_ = 0.5;
     failed_ = false;
     last_h_ = 0;
+    first_ = true;
   }
+  void resume() { first_ = false; }
 
   double tolerance_ratio() const { return ratio_; }
   double inverse_weight(std::size_t n, double size) const {
@@ -130,10 +132,11 @@ class NewtonControl {
     double wished = c.safety * patience() * root;
     if (!(norm <= 1)) {
       failed_ = true;
-      return last_h_ == 0 ? 0.1 : std::clamp(wished, c.smallest_factor, c.safety);
+      return first_ ? 0.1 : std::clamp(wished, c.smallest_factor, c.safety);
     }
     if (last_h_ != 0) wished = std::min(wished, c.safety * h / last_h_ * root * root / last_root_);
     last_h_ = h;
+    first_ = false;
     last_root_ = inverse_root(std::max(norm, 1e-2), error_order);
     wished = std::clamp(wished, c.smallest_factor, failed_ ? 1.0 : c.largest_factor);
     failed_ = false;
@@ -157,7 +160,7 @@ class NewtonControl {
   }
 
   int most_ = 7, iteration_ = 0;
-  bool failed_ = false;
+  bool failed_ = false, first_ = true;
   double last_h_ = 0, last_root_ = 1;
 };
 
