@@ -40,7 +40,9 @@ class FullyImplicitRungeKuttaStepper {
   }
   void start(const ErrorControl& control) {
     control_ = &control;
-    newton_.start(control, method.embedded_order, method.order, S);
+    constexpr int most = 7 + 5 * (S > 3 ? int(S) - 3 : 0) / 2;
+    constexpr double power = double(method.embedded_order + 1) / (method.order + 1);
+    newton_.start(control, {.power = power, .kappa = 0, .most = most, .fast = 0.001});
     forget();
   }
   /// Start in the middle of a run of another method of the family.
@@ -265,7 +267,7 @@ class FullyImplicitRungeKuttaStepper {
   }
 
   bool iterate_to_tolerance(Real t, const State& y, Real h) {
-    newton_.begin();
+    newton_.begin_step(), newton_.begin();
     for (;;) {
       evaluate_stages(t, y, h);
       if constexpr (is_singular)

@@ -36,28 +36,37 @@ class RoundOffStop {
   Real previous_ = std::numeric_limits<Real>::infinity();
 };
 
+/// power: the tolerance of the iteration and of the estimate is 0.1 tolerance^power where that is below 1; an
+/// estimate of lower order than the step then keeps errors proportional to what was asked. kappa: what of
+/// that tolerance the iteration may leave, 0 for min(0.03, its root). fast: the rate up to which a Jacobian
+/// is kept.
+struct NewtonSettings {
+  double power, kappa;
+  int most;
+  double fast;
+};
+
 /// Newton under error control, after E. Hairer, G. Wanner, Solving ODEs II, IV.8, eq. 8.10-8.12: theta is the
-/// rate of contraction, eta = theta / (1 - theta) bounds the rest by the last correction, kappa the rest by
-/// the tolerance. The tolerance is that of the estimate: where the estimate is of lower order than the step,
-/// it is the power of the user's that makes errors proportional to what was asked.
+/// rate of contraction, and eta = theta / (1 - theta) bounds the rest by the last correction.
 template <class Real>
 class NewtonControl {
  public:
-  void start(const ErrorControl& control, int embedded_order, int order, std::size_t stages) {
+  void start(const ErrorControl& control, const NewtonSettings& settings) {
     control_ = &control;
     const double asked =
         control.relative_tolerance > 0 ? control.relative_tolerance : control.absolute_tolerance;
-    const double power = double(embedded_order + 1) / double(order + 1);
-    const double used = power < 1 ? std::min(0.1 * std::pow(asked, power), 0.1) : asked;
+    const double used = settings.power < 1 ? std::min(0.1 * std::pow(asked, settings.power), 0.1) : asked;
     ratio_ = used / asked;
     const double unit = double(std::numeric_limits<Real>::epsilon());
-    kappa_ = Real(std::max(10 * unit / used, std::min(0.03, std::sqrt(used))));
-    most_ = 7 + int(5 * (stages > 3 ? stages - 3 : 0)) / 2;
+    kappa_ = Real(
+        std::max(10 * unit / used, settings.kappa > 0 ? settings.kappa : std::min(0.03, std::sqrt(used))));
+    most_ = settings.most, fast_ = Real(settings.fast);
     eta_ = 1, theta_ = 1, failed_factor_ = 0.5;
     failed_ = false;
     last_h_ = 0;
     first_ = true;
   }
+  /// The first step is not the first of the run.
   void resume() { first_ = false; }
 
   double tolerance_ratio() const { return ratio_; }
@@ -75,6 +84,8 @@ class NewtonControl {
     return std::sqrt(sum / static_cast<double>(size_of(y)));
   }
 
+  void begin_step() { iterations_ = 0, slowest_ = 0; }
+  /// Of one system of a step; diagonally implicit methods solve several.
   void begin() {
     iteration_ = 0;
     const Real root = std::sqrt(std::max(eta_, std::numeric_limits<Real>::epsilon()));
@@ -82,11 +93,13 @@ class NewtonControl {
   }
   NewtonVerdict judge(Real moved) {
     ++iteration_;
+    iterations_ = std::max(iterations_, iteration_);
     failed_factor_ = 0.5;
     if (iteration_ > 1) {
       const Real rate = moved / previous_;
       theta_ = iteration_ == 2 ? rate : std::sqrt(rate * previous_rate_);
       previous_rate_ = rate;
+      slowest_ = std::max(slowest_, theta_);
       if (!(theta_ < Real(0.99))) return NewtonVerdict::hopeless;
       eta_ = theta_ / (1 - theta_);
       Real left = eta_ * moved;
@@ -102,9 +115,9 @@ class NewtonControl {
     return iteration_ < most_ && moved == moved ? NewtonVerdict::go_on : NewtonVerdict::hopeless;
   }
 
-  bool converges_fast() const { return iteration_ == 1 || theta_ <= Real(0.001); }
-  int iterations() const { return iteration_; }
-  Real theta() const { return iteration_ == 1 ? Real(0) : theta_; }
+  /// Of the last step: the slowest rate seen (0 where one iteration was enough), most iterations.
+  bool converges_fast() const { return slowest_ <= fast_; }
+  Real slowest_rate() const { return slowest_; }
 
   /// The factor on h for the `wished` one of a step-size filter; `norm` is the error of the last attempt, NaN
   /// where it failed.
@@ -146,9 +159,9 @@ class NewtonControl {
  private:
   const ErrorControl* control_ = nullptr;
   double ratio_ = 1, failed_factor_ = 0.5;
-  Real kappa_ = 0, eta_ = 1, theta_ = 1, previous_ = 1, previous_rate_ = 1;
+  Real kappa_ = 0, eta_ = 1, theta_ = 1, previous_ = 1, previous_rate_ = 1, fast_ = 0, slowest_ = 0;
   /// Many iterations are a warning (Solving ODEs II, IV.8, eq. 8.21).
-  double patience() const { return double(2 * most_ + 1) / double(2 * most_ + iteration_); }
+  double patience() const { return double(2 * most_ + 1) / double(2 * most_ + iterations_); }
   /// The same step keeps the factors, which are worth more than a fifth of a step.
   double settle(double factor) const {
     return factor >= 1 && factor <= 1.2 && converges_fast() ? 1.0 : factor;
@@ -159,7 +172,7 @@ class NewtonControl {
                         : std::pow(x, -1.0 / order);
   }
 
-  int most_ = 7, iteration_ = 0;
+  int most_ = 7, iteration_ = 0, iterations_ = 0;
   bool failed_ = false, first_ = true;
   double last_h_ = 0, last_root_ = 1;
 };

@@ -46,8 +46,8 @@ struct VariableOrderRadau {
 };
 
 /// E. Hairer, G. Wanner, J. Comput. Appl. Math. 111 (1999) 93-111, section 4: a higher order pays once
-/// Newton's iteration contracts well, because then the steps are small for the sake of accuracy alone; a lower
-/// one once it barely contracts. Values between steps come from the highest order.
+/// Newton's iteration contracts well, because then the steps are small for the sake of accuracy alone; a
+/// lower one once it barely contracts. Values between steps come from the highest order.
 template <const auto& method, System P>
 class VariableOrderRadauStepper {
  public:
@@ -72,8 +72,7 @@ class VariableOrderRadauStepper {
   }
   Real own_factor(Real h, double norm) {
     const Real factor = with_active([&](auto& s) { return s.own_factor(h, norm); });
-    const auto [iterations, theta] =
-        with_active([](auto& s) { return std::pair{s.newton().iterations(), s.newton().theta()}; });
+    const Real theta = with_active([](auto& s) { return s.newton().slowest_rate(); });
     const bool failed = !(norm < 1e300);
     if (active_ > 0 && (failed || !(theta < Real(0.8)))) {
       change_order(active_ - 1);

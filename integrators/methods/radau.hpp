@@ -8,7 +8,9 @@ inline constexpr VariableOrderRadau radau{
     .source = "E. Hairer, G. Wanner, J. Comput. Appl. Math. 111 (1999) 93-111",
     .order = radau_iia5.order,
     .embedded_order = radau_iia5.embedded_order,
-    .advice = "first choice for stiff problems at 1e-9 and beyond; as radau_iia5 above; not for cheap explicit work",
+    .advice =
+        "first choice for stiff problems at 1e-9 and beyond; as radau_iia5 above; not for cheap explicit "
+        "work",
 };
 
 }  // namespace odemark
