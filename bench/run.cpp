@@ -246,7 +246,8 @@ Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& re
   if (request.steps) row.dt = (problem.t_end - problem.t_begin) / static_cast<double>(*request.steps);
   if (request.rtol) {
     row.rtol = request.rtol, row.atol = request.atol.value_or(*request.rtol);
-    row.filter = method.provider == "odemark" ? std::string(request.filter.id) : "its own";
+    row.filter =
+        method.provider == "odemark" && !method.own_step_control ? std::string(request.filter.id) : "its own";
   }
   switch (request.scalar) {
     case ScalarType::float_type: run_as<float>(row, method, problem, request, stop); break;

@@ -51,6 +51,7 @@ struct AnyMethod {
   std::string_view starter = "";  // of a multistep method
   std::string_view note = "";     // what a reader of its rows must know
   std::string_view advice = "";   // when to use it and when not, in a line
+  bool own_step_control = false;  // under error control it does not ask the step-size filter
   std::function<Theory()> theory;
   std::tuple<MethodRuns<float>, MethodRuns<double>, MethodRuns<long double>> by_type;
 

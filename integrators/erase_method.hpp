@@ -34,8 +34,8 @@ RunReport solve(const P& system, const Control& control, double t0, double t1, t
     if (const auto* fixed = std::get_if<FixedSteps>(&control))
       return integrate(stepper, *fixed, t0, t1, y, observe);
     if constexpr (method.embedded_order > 0)
-      return integrate(stepper, system, std::get<ErrorControl>(control), method.embedded_order + 1, t0, t1, y,
-                       observe);
+      return integrate(stepper, system, std::get<ErrorControl>(control),
+                       std::min(method.order, method.embedded_order) + 1, t0, t1, y, observe);
     RunReport report;
     report.status = RunStatus::not_applicable;
     report.reason = "has no error estimate: give a fixed number of steps";
@@ -83,6 +83,7 @@ AnyMethod erase_method() {
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
   if constexpr (requires { method.note; }) any.note = method.note;
   if constexpr (requires { method.advice; }) any.advice = method.advice;
+  any.own_step_control = ChoosesSteps<StepperOf<method, ErasedSystem<double>>>;
   if constexpr (HasDriver<method, ErasedSystem<double>>) {
     any.takes_fixed_steps = Kind::takes_fixed_steps, any.takes_error_control = true;
   } else {

@@ -54,6 +54,22 @@ NewtonCounts newton_counts_of(const S& stepper) {
     return {};
 }
 
+/// Ties its own iterations to the tolerance.
+template <class S>
+concept ControlledStepper = Stepper<S> && requires(S s, const ErrorControl& control) {
+  s.start(control);
+};
+/// Changes the factor that the filter wished, because it knows what else a step size costs than its error.
+template <class S>
+concept AdvisesOnSteps = ControlledStepper<S> && requires(S s, RealOf<typename S::State> wished) {
+  { s.choose_factor(wished, 0.5) } -> std::same_as<RealOf<typename S::State>>;
+};
+/// Has a controller of its own; the filter is not asked.
+template <class S>
+concept ChoosesSteps = ControlledStepper<S> && requires(S s, RealOf<typename S::State> h) {
+  { s.own_factor(h, 0.5) } -> std::same_as<RealOf<typename S::State>>;
+};
+
 namespace detail {
 template <Stepper S, class Observer>
 [[gnu::always_inline]] inline RunReport take_equal_steps(S& stepper, FixedSteps steps, double t0, double t1,
@@ -156,7 +172,10 @@ RunReport integrate(S& stepper, const P& system, const ErrorControl& control, in
     report.newton = newton_counts_of(stepper);
     return report;
   };
-  stepper.start();
+  if constexpr (ControlledStepper<S>)
+    stepper.start(control);
+  else
+    stepper.start();
   bool newton_failed = false;
   while (t < Real(t1)) {
     if (report.accepted + report.rejected >= control.step_limit) return stop(RunStatus::step_limit);
@@ -171,7 +190,12 @@ RunReport integrate(S& stepper, const P& system, const ErrorControl& control, in
     newton_failed = stepper.attempt(t, y, h, next, error) != StepStatus::ok;
     const double norm =
         newton_failed ? std::numeric_limits<double>::quiet_NaN() : error_norm(error, y, next, control);
-    const Real factor = Real(filter.next_factor(norm));
+    Real factor;
+    if constexpr (ChoosesSteps<S>)
+      factor = stepper.own_factor(h, norm);
+    else
+      factor = Real(filter.next_factor(norm));
+    if constexpr (AdvisesOnSteps<S>) factor = stepper.choose_factor(factor, norm);
     if (norm <= 1) {
       stepper.accept();
       const Real t_next = last ? Real(t1) : t + h;
