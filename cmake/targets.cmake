@@ -32,7 +32,7 @@ file(GLOB integrators_sources CONFIGURE_DEPENDS integrators/*.cpp)
 odemark_library(integrators SOURCES ${integrators_sources} ${ODEMARK_METHOD_UNITS} LINK Eigen3::Eigen)
 
 set(once_per_method ${integrators_sources})
-list(FILTER once_per_method EXCLUDE REGEX "/(dense_lu|phi_functions)\\.cpp$")
+list(FILTER once_per_method EXCLUDE REGEX "/(dense_lu|phi_functions|small_lu)\\.cpp$")
 odemark_compile_lightly(${once_per_method})
 
 # problems/ is headers only: mathematics without integrators

@@ -33,9 +33,10 @@ RunReport solve(const P& system, const Control& control, double t0, double t1, t
     auto& stepper = engine_of(named);
     if (const auto* fixed = std::get_if<FixedSteps>(&control))
       return integrate(stepper, *fixed, t0, t1, y, observe);
+    // the estimate is as good as the worse of the two, whichever of them is carried on
     if constexpr (method.embedded_order > 0)
-      return integrate(stepper, system, std::get<ErrorControl>(control), method.embedded_order + 1, t0, t1, y,
-                       observe);
+      return integrate(stepper, system, std::get<ErrorControl>(control),
+                       std::min(method.order, method.embedded_order) + 1, t0, t1, y, observe);
     RunReport report;
     report.status = RunStatus::not_applicable;
     report.reason = "has no error estimate: give a fixed number of steps";
@@ -82,6 +83,7 @@ AnyMethod erase_method() {
   any.theory = [] { return method.theory(); };
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
   if constexpr (requires { method.note; }) any.note = method.note;
+  if constexpr (requires { method.advice; }) any.advice = method.advice;
   if constexpr (HasDriver<method, ErasedSystem<double>>) {
     any.takes_fixed_steps = Kind::takes_fixed_steps, any.takes_error_control = true;
   } else {
