@@ -77,7 +77,9 @@ class RosenbrockStepper {
     if (!linearized_) linearize(t, y, h);
     lu_.factorize(h * static_cast<Real>(form.diagonal));
     ++factorizations_;
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (evaluate_stage<I>(t, y, h), ...); }
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+      (evaluate_stage<I>(t, y, h), ...);
+    }
     (std::make_index_sequence<method.stages>{});
     if constexpr (form.first_same_as_last()) {
       next = stage_;
