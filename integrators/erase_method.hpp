@@ -33,6 +33,7 @@ RunReport solve(const P& system, const Control& control, double t0, double t1, t
     auto& stepper = engine_of(named);
     if (const auto* fixed = std::get_if<FixedSteps>(&control))
       return integrate(stepper, *fixed, t0, t1, y, observe);
+    // the estimate is as good as the worse of the two, whichever of them is carried on
     if constexpr (method.embedded_order > 0)
       return integrate(stepper, system, std::get<ErrorControl>(control),
                        std::min(method.order, method.embedded_order) + 1, t0, t1, y, observe);
