@@ -15,7 +15,8 @@ constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
 
 bool has_function(const Theory& t) { return !t.numerator.empty(); }
 bool is_multistep(const Theory& t) { return !t.rho.empty(); }
-bool knows_no_damping(const Theory& t) { return !t.oscillator.xx.empty(); }
+bool has_moves(const Theory& t) { return !t.moves.empty(); }
+bool has_oscillator(const Theory& t) { return !t.oscillator.xx.empty(); }
 
 StabilityLimit unknown(std::string reason) {
   StabilityLimit out;
@@ -70,12 +71,15 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
     for (const Coefficient t : found.touches) touches.push_back(t / rate);
     stable = intersection(stable, found.where);
   };
-  if (detail::is_second_order(theory)) {
-    if (!problem.second_order) return unknown("theory of second-order steps needs one degree of freedom");
-    if (knows_no_damping(theory) && problem.damping != 0)
-      return unknown("the method is for forces that do not depend on velocity");
+  if (has_oscillator(theory)) {
+    if (!problem.second_order || problem.damping != 0)
+      return unknown("theory of Nystrom methods needs one degree of freedom without damping");
     const Coefficient rate = problem.fastest_rate;
-    require(detail::second_order_stable(theory, problem.stiffness / rate / rate, problem.damping / rate),
+    require(detail::oscillator_stable(theory.oscillator, problem.stiffness / rate / rate), rate);
+  } else if (has_moves(theory)) {
+    if (!problem.second_order) return unknown("theory of second-order steps needs one degree of freedom");
+    const Coefficient rate = problem.fastest_rate;
+    require(detail::moves_stable(theory.moves, problem.stiffness / rate / rate, problem.damping / rate),
             rate);
   } else if (has_function(theory) || is_multistep(theory)) {
     if (is_multistep(theory) && !detail::zero_stable(theory)) return judge({}, {});
@@ -93,11 +97,13 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
 }
 
 Coefficient growth_per_step(const Theory& theory, const LinearProblem& problem, Coefficient dt) {
-  const bool second_order = detail::is_second_order(theory),
-             damped = knows_no_damping(theory) && problem.damping != 0;
-  if (second_order && problem.second_order && !damped)
-    return detail::second_order_log_radius(theory, problem.stiffness, problem.damping, dt);
-  if (second_order || !theory.blank_reason.empty()) return std::numeric_limits<Coefficient>::quiet_NaN();
+  if (has_oscillator(theory))
+    return problem.second_order && problem.damping == 0
+               ? detail::oscillator_log_radius(theory.oscillator, problem.stiffness, dt)
+               : std::numeric_limits<Coefficient>::quiet_NaN();
+  if (has_moves(theory) && problem.second_order)
+    return detail::moves_log_radius(theory.moves, problem.stiffness, problem.damping, dt);
+  if (has_moves(theory) || !theory.blank_reason.empty()) return std::numeric_limits<Coefficient>::quiet_NaN();
   Coefficient largest = -infinity;
   for (const auto& l : problem.eigenvalues) {
     const WideComplex z = l * dt;

@@ -1,4 +1,4 @@
-// The three kinds of theory behind linear_stability.hpp: stability functions, second-order steps, multistep.
+// The three kinds of theory behind linear_stability.hpp: stability functions, moves, multistep.
 #pragma once
 
 #include "integrators/linear_stability.hpp"
@@ -14,11 +14,14 @@ NonNegative multistep_stable_along_ray(const Theory& theory, WideComplex directi
 bool zero_stable(const Theory& theory);
 Coefficient largest_multistep_root(const Theory& theory, WideComplex z);
 
-/// Theories that act on (x, v) of one degree of freedom: moves, and matrices that know no damping.
-bool is_second_order(const Theory& theory);
 /// In units of dt * rate.
-NonNegative second_order_stable(const Theory& theory, Coefficient stiffness, Coefficient damping);
-Coefficient second_order_log_radius(const Theory& theory, Coefficient stiffness, Coefficient damping,
-                                    Coefficient dt);
+NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
+                         Coefficient damping);
+Coefficient moves_log_radius(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
+                             Coefficient damping, Coefficient dt);
+
+/// The same for Nystrom methods, where there is no damping.
+NonNegative oscillator_stable(const OscillatorMatrix& step, Coefficient stiffness);
+Coefficient oscillator_log_radius(const OscillatorMatrix& step, Coefficient stiffness, Coefficient dt);
 
 }  // namespace odemark::detail
