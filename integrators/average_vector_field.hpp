@@ -127,23 +127,27 @@ class AverageVectorFieldStepper {
         average_jacobian(t, y, h);
         factorize(h);
       }
+      Real slopes = 0;
       for_each_component(y, [&](std::size_t i) { mean_.data()[i] = 0; });
       for (std::size_t k = 0; k < method.points; ++k) {
         const Real s = static_cast<Real>(method.nodes[k]), w = static_cast<Real>(method.weights[k]);
         place(y, k);
         system_.rhs(t + s * h, point_, slope_);
-        for_each_component(y, [&](std::size_t i) { mean_.data()[i] += w * slope_.data()[i]; });
+        for_each_component(y, [&](std::size_t i) {
+          mean_.data()[i] += w * slope_.data()[i];
+          slopes += w * std::abs(slope_.data()[i]);
+        });
       }
       for_each_component(y, [&](std::size_t i) { moved_.data()[i] = h * mean_.data()[i] - gain_.data()[i]; });
       lu_.solve_in_place(moved_.data());
       ++counts_.newton;
       // sums, because std::max would swallow a NaN; `terms` is what the gain is the small difference of
-      Real moved = 0, scale = std::numeric_limits<Real>::min(), terms = 0;
+      Real moved = 0, scale = std::numeric_limits<Real>::min(), terms = std::abs(h) * slopes;
       for_each_component(y, [&](std::size_t i) {
         gain_.data()[i] += moved_.data()[i];
         moved += std::abs(moved_.data()[i]);
         scale += std::abs(y.data()[i] + gain_.data()[i]);
-        terms += std::abs(y.data()[i]) + std::abs(h * mean_.data()[i]);
+        terms += std::abs(y.data()[i]);
       });
       if (!std::isfinite(moved + scale)) return false;
       // done, or as far as rounding lets it come: corrections that no longer shrink and are small already
