@@ -35,8 +35,8 @@ RunReport solve(const P& system, const Control& control, double t0, double t1, t
       return integrate(stepper, *fixed, t0, t1, y, observe);
     // the estimate is as good as the worse of the two, whichever of them is carried on
     if constexpr (method.embedded_order > 0)
-      return integrate(stepper, system, std::get<ErrorControl>(control),
-                       std::min(method.order, method.embedded_order) + 1, t0, t1, y, observe);
+      return integrate(stepper, system, std::get<ErrorControl>(control), error_order<method>(), t0, t1, y,
+                       observe);
     RunReport report;
     report.status = RunStatus::not_applicable;
     report.reason = "has no error estimate: give a fixed number of steps";
@@ -68,7 +68,8 @@ MethodRuns<T> runs_of() {
       return solve<method>(system, control, t0, t1, y);
     };
     runs.solve_traced = solve_traced<method, T>;
-    if constexpr (!HasDriver<method, E>) runs.transition = transition<method, T>;
+    if constexpr (!HasDriver<method, E> && !requires { KindOf<method>::has_transition; })
+      runs.transition = transition<method, T>;
   }
   return runs;
 }
