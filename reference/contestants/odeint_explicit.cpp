@@ -112,8 +112,9 @@ RunReport run(const Job& job) {
       const auto try_step = [&](double& t, double& h) {
         return stepper.try_step(rhs, job.y, t, h) == odeint::success;
       };
-      return odeint_controlled(job, first_step(job.system, *control, job.t0, job.t1, job.y), try_step,
-                               between);
+      return odeint_controlled(
+          job, first_step(job.system, *control, row.embedded_order + 1, job.t0, job.t1, job.y), try_step,
+          between);
     }
   }
   Stepper stepper;
