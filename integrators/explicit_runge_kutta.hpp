@@ -99,7 +99,7 @@ class ExplicitRungeKuttaStepper {
     }
   }
 
-  /// The other estimate of the last attempt, where the method has two: see combined_error_norm in
+  /// The other estimate of the last attempt, where the method has two: see combined_square in
   /// integrators/integrate.hpp.
   const State& second_error() const requires(method.has_second_estimate()) { return second_; }
 
@@ -180,7 +180,7 @@ class ExplicitRungeKuttaStepper {
   [[gnu::always_inline]] static void advance(const State& base, Real h, State& out, const Slopes&... k) {
     constexpr auto used = nonzero_weights<Weights, sizeof...(Slopes)>();
     const auto slopes = std::tie(k...);
-    [&]<std::size_t... U>(std::index_sequence<U...>) {
+    [&]<std::size_t... U>(std::index_sequence<U...>) __attribute__((always_inline)) {
       const std::array<Real, used.size()> scaled{h * static_cast<Real>(Weights::value(used[U]))...};
       for_each_component(base, [&](std::size_t i) {
         Component sum = base.data()[i];
@@ -196,7 +196,7 @@ class ExplicitRungeKuttaStepper {
   [[gnu::always_inline]] static void weighted(Real h, State& out, const Slopes&... k) {
     constexpr auto used = nonzero_weights<Weights, sizeof...(Slopes)>();
     const auto slopes = std::tie(k...);
-    [&]<std::size_t... U>(std::index_sequence<U...>) {
+    [&]<std::size_t... U>(std::index_sequence<U...>) __attribute__((always_inline)) {
       const std::array<Real, used.size()> scaled{h * static_cast<Real>(Weights::value(used[U]))...};
       for_each_component(out, [&](std::size_t i) {
         out.data()[i] = (... + (scaled[U] * std::get<used[U]>(slopes).data()[i]));

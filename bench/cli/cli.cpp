@@ -99,7 +99,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       ->option_text("SETTINGS");
   run_app.add_option("--dt", dt_text, "step sizes: 1/30,1/60 or start:ratio:count")->option_text("LADDER");
   run_app.add_option("--tol", tol_text, "tolerances: 1e-3,1e-6 or start:ratio:count")->option_text("LADDER");
-  run_app.add_option("--filter", run.plan.filter, "step-size filter: elementary, pi or h211b")
+  run_app.add_option("--filter", run.plan.filter, "step-size filter: dead_band, elementary, pi or h211b")
       ->option_text("NAME");
   run_app.add_option("--scalar", run.plan.scalars, "float, double, long_double, with commas")
       ->option_text("LIST");
