@@ -15,10 +15,7 @@ struct Form {
 Form operator+(const Form& a, const Form& b) { return {a.of_x + b.of_x, a.of_v + b.of_v}; }
 Form operator*(const RealPolynomial& p, const Form& a) { return {p * a.of_x, p * a.of_v}; }
 
-struct StepMatrix {
-  RealPolynomial trace, determinant,
-      denominator;  // the matrix is that of trace and determinant / denominator
-};
+}  // namespace
 
 StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
                        Coefficient damping) {
@@ -54,8 +51,6 @@ StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient st
   }
   return {x.of_x + v.of_v, x.of_x * v.of_v - x.of_v * v.of_x, denominator};
 }
-
-}  // namespace
 
 NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
                          Coefficient damping) {

@@ -14,6 +14,13 @@ NonNegative multistep_stable_along_ray(const Theory& theory, WideComplex directi
 bool zero_stable(const Theory& theory);
 Coefficient largest_multistep_root(const Theory& theory, WideComplex z);
 
+/// The 2x2 matrix of one step over its common denominator, as polynomials in dt: M = .../denominator.
+struct StepMatrix {
+  RealPolynomial trace, determinant,  // of the matrix times the denominator
+      denominator;
+};
+StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness, Coefficient damping);
+
 /// In units of dt * rate.
 NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
                          Coefficient damping);
