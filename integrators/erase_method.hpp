@@ -82,6 +82,7 @@ AnyMethod erase_method() {
   any.theory = [] { return method.theory(); };
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
   if constexpr (requires { method.note; }) any.note = method.note;
+  if constexpr (requires { method.advice; }) any.advice = method.advice;
   if constexpr (HasDriver<method, ErasedSystem<double>>) {
     any.takes_fixed_steps = Kind::takes_fixed_steps, any.takes_error_control = true;
   } else {

@@ -167,6 +167,15 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   list_app.add_flag("--suites", list.suites, "suites only");
   add_format(list_app, list.format, {"table", "json", "names"});
 
+  MethodsCommandOptions methods;
+  auto& methods_app = *app.add_subcommand(
+      "methods", "facts of methods: order, intervals, kinds of stability, proved or measured");
+  methods_app.add_option("names", methods.names, "ids; * and ? match; default: all of the suite")
+      ->option_text("NAME...");
+  methods_app.add_flag("--measured", methods.measured, "measure them on the compiled steps too");
+  add_format(methods_app, methods.format, {"table", "json"});
+  add_common(methods_app, methods);
+
   StabilityCommandOptions stability;
   std::string stability_dt;
   auto& stability_app =
@@ -232,6 +241,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
     if (app.got_subcommand("approve")) return approve_command(approve);
     if (app.got_subcommand("compare")) return compare_command(compare);
     if (app.got_subcommand("list")) return list_command(registry, list);
+    if (app.got_subcommand("methods")) return methods_command(registry, methods);
     if (app.got_subcommand("stability")) return stability_command(registry, stability);
     if (app.got_subcommand("truth")) return truth_command(registry, truth);
     if (app.got_subcommand("doctor")) return doctor_command(doctor);
