@@ -25,6 +25,13 @@ Fact<Radii> controllers(const Theory& theory, const MethodFacts& facts, int embe
                                   std::min(order, embedded) + 1);
 }
 
+/// The theory with the polynomials that its tableau really has: what order makes of them is exact.
+Theory with_function(const Theory& theory, const MethodFacts& facts) {
+  const Tableau& t = theory.tableau;
+  if (t.stages == 0) return theory;
+  return detail::stability_function(t.stages, detail::implicit_matrix(t), t.b, *facts.order);
+}
+
 void blank_tableau_facts(MethodFacts& f, const std::string& why) {
   f.stages = f.stage_order = f.evaluations_per_step = f.linear_solves_per_step = Fact<int>::none(why);
   f.fsal = f.stiffly_accurate = f.algebraically_stable = f.symplectic = f.symmetric = Fact<bool>::none(why);
@@ -63,7 +70,7 @@ MethodFacts method_facts(const Theory& theory, int order, int embedded_order) {
   } else {
     f.stability = detail::stability_facts(theory);
   }
-  detail::add_oscillator_facts(theory, f);
+  detail::add_oscillator_facts(with_function(theory, f), f);
   f.controller_spectral_radius = controllers(theory, f, embedded_order);
   return f;
 }

@@ -24,6 +24,7 @@ struct Fact {
   }
   explicit operator bool() const { return value.has_value(); }
   const T& operator*() const { return *value; }
+  const T* operator->() const { return &*value; }
 };
 
 /// coefficient * y^power + ..., for small y.

@@ -43,8 +43,8 @@ int evaluations(const std::vector<SecondOrderMove>& moves) {
     kicks += !(of_start && start_known);
     start_known = start_known || of_start;
   }
-  return kicks -
-         (moves.size() > 1 && !is_drift(moves.front()) && !is_drift(moves.back()) && !uses_old_force(moves));
+  // the last force is the first of the next step where both see the velocity that is current
+  return kicks - (moves.size() > 1 && moves.front().what == What::kick && moves.back().what == What::kick);
 }
 
 using Numbers = std::vector<Coefficient>;

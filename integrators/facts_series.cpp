@@ -82,7 +82,7 @@ Series multistep_logarithm(const Theory& theory) {
       for (std::size_t k = 1; k <= n; ++k) {
         const Coefficient part = Coefficient(k) / Coefficient(n) * factor;
         e.value[n] += part * l.value[k] * e.value[n - k];
-        e.size[n] += std::abs(part) * l.size[k] * e.size[n - k];
+        e.size[n] += std::abs(part * l.value[k]) * e.size[n - k];
       }
     return e;
   };
