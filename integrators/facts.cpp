@@ -49,6 +49,18 @@ void add_function_facts(const Theory& theory, MethodFacts& f) {
   if (law && law.value) f.symplectic = f.symmetric = false;
 }
 
+/// On the free oscillator a step of order p errs by z^(p+1) in angle and amplitude, so what it does there
+/// bounds its order. The claim stands where nothing contradicts it.
+void check_order_on_oscillator(MethodFacts& f) {
+  int order = *f.order;
+  for (const auto* law : {&f.stability.log_amplification, &f.stability.phase_error})
+    if (*law) order = std::min(order, (*law)->power - 1);
+  if (order < *f.order)
+    f.order = {order, "of what it does to a free oscillation"};
+  else
+    f.order.reason = "claimed, and not contradicted by what it does to a free oscillation";
+}
+
 }  // namespace
 
 MethodFacts method_facts(const Theory& theory, int order, int embedded_order) {
@@ -71,6 +83,7 @@ MethodFacts method_facts(const Theory& theory, int order, int embedded_order) {
     f.stability = detail::stability_facts(theory);
   }
   detail::add_oscillator_facts(with_function(theory, f), f);
+  if (!theory.moves.empty()) check_order_on_oscillator(f);
   f.controller_spectral_radius = controllers(theory, f, embedded_order);
   return f;
 }
