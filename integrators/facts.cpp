@@ -71,6 +71,10 @@ MethodFacts method_facts(const Theory& theory, int order, int embedded_order) {
   f.order = {order, "claimed"};
   f.embedded_order = embedded_order > 0 ? Fact<int>{embedded_order, "claimed"} : Fact<int>::none(no_estimate);
   f.embedded_error_constant = Fact<Coefficient>::none(no_estimate);
+  f.embedded =
+      detail::no_stability_facts(embedded_order > 0 ? "the estimate is not given as a tableau" : no_estimate);
+  if (embedded_order > 0)
+    f.embedded_error_constant = Fact<Coefficient>::none("the estimate is not given as a tableau");
   f.zero_stable = {true, "a one-step method"};
   f.step_ratio_limit = Fact<Coefficient>::none("a one-step method");
   if (theory.tableau.stages > 0) {

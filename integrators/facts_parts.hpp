@@ -17,6 +17,7 @@ std::vector<Coefficient> implicit_matrix(const Tableau& tableau);
 bool is_explicit(const Tableau& tableau);
 
 StabilityFacts stability_facts(const Theory& theory);
+StabilityFacts no_stability_facts(const std::string& why);
 void add_tableau_facts(const Theory& theory, int order, int embedded_order, MethodFacts& facts);
 void add_multistep_facts(const Theory& theory, MethodFacts& facts);
 void add_oscillator_facts(const Theory& theory, MethodFacts& facts);

@@ -129,19 +129,21 @@ Fact<Coefficient> at_infinity(const Theory& theory) {
 
 bool is_multistep(const Theory& t) { return !t.rho.empty() || !t.characteristic.empty(); }
 
-StabilityFacts stability_facts(const Theory& theory) {
+StabilityFacts no_stability_facts(const std::string& why) {
   StabilityFacts out;
-  const auto blank = [&](const std::string& why) {
-    out.real_interval = out.imaginary_interval = out.imaginary_interval_eps = out.r_infinity =
-        out.a_alpha_degrees = Fact<Coefficient>::none(why);
-    out.real_islands = out.imaginary_bands = Fact<Intervals>::none(why);
-    out.log_amplification = out.phase_error = Fact<PowerLaw>::none(why);
-    out.a_stable = out.l_stable = Fact<bool>::none(why);
-    return out;
-  };
-  if (!theory.moves.empty()) return blank("a second-order step has no R(z): see oscillator_limit");
+  out.real_interval = out.imaginary_interval = out.imaginary_interval_eps = out.r_infinity =
+      out.a_alpha_degrees = Fact<Coefficient>::none(why);
+  out.real_islands = out.imaginary_bands = Fact<Intervals>::none(why);
+  out.log_amplification = out.phase_error = Fact<PowerLaw>::none(why);
+  out.a_stable = out.l_stable = Fact<bool>::none(why);
+  return out;
+}
+
+StabilityFacts stability_facts(const Theory& theory) {
+  if (!theory.moves.empty())
+    return no_stability_facts("a second-order step has no R(z): see oscillator_limit");
   if (theory.exact_on_linear_part) {
-    blank("exact on the linear part");
+    StabilityFacts out = no_stability_facts("exact on the linear part");
     out.real_interval = out.imaginary_interval = out.imaginary_interval_eps = infinity;
     out.real_islands = out.imaginary_bands = Intervals{};
     out.r_infinity = Coefficient(0), out.a_stable = out.l_stable = true,
@@ -149,8 +151,9 @@ StabilityFacts stability_facts(const Theory& theory) {
     return out;
   }
   if (!is_one_step_function(theory) && !is_multistep(theory))
-    return blank(theory.blank_reason.empty() ? "nothing is known of its effect on y' = lambda y"
-                                             : std::string(theory.blank_reason));
+    return no_stability_facts(theory.blank_reason.empty() ? "nothing is known of its effect on y' = lambda y"
+                                                          : std::string(theory.blank_reason));
+  StabilityFacts out = no_stability_facts("not known");
   const auto interval = [&](const LinearProblem& p, Fact<Coefficient>& length, Fact<Intervals>& bands) {
     const auto found = stability_limit(theory, p);
     if (found.verdict == Stability::unknown) {
@@ -164,7 +167,7 @@ StabilityFacts stability_facts(const Theory& theory) {
   };
   interval(one_eigenvalue(-1), out.real_interval, out.real_islands);
   interval(one_eigenvalue({0, 1}), out.imaginary_interval, out.imaginary_bands);
-  if (!out.real_interval) return out;
+  if (!out.real_interval) return no_stability_facts(out.real_interval.reason);
   out.imaginary_interval_eps = epsilon_interval(theory, 1e-3L);
   const auto root = principal_root(theory);
   out.log_amplification = root.log_amplification, out.phase_error = root.phase_error;

@@ -117,8 +117,8 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   add_common(run_app, run);
 
   ReportOptions report;
-  auto& report_app =
-      *app.add_subcommand("report", "report.html, chapter.html, SVG, Markdown and CSV from results.jsonl");
+  auto& report_app = *app.add_subcommand(
+      "report", "report.html, chapter.html, methods.html, SVG, Markdown and CSV from results.jsonl");
   report_app.add_option("-o,--output", report.output, "folder of results.jsonl and of the report")
       ->option_text("DIR");
   report_app.add_option("--title", report.title, "title of the report")->option_text("TEXT");
