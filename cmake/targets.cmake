@@ -30,6 +30,7 @@ endfunction()
 
 file(GLOB integrators_sources CONFIGURE_DEPENDS integrators/*.cpp)
 odemark_library(integrators SOURCES ${integrators_sources} ${ODEMARK_METHOD_UNITS} LINK Eigen3::Eigen)
+target_link_libraries(odemark_integrators PRIVATE $<BUILD_INTERFACE:Boost::headers>)
 
 set(once_per_method ${integrators_sources})
 list(FILTER once_per_method INCLUDE REGEX "/(linear_stability[a-z_]*|eigenvalues|real_polynomial|facts[a-z_]*)\\.cpp$")

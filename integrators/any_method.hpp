@@ -25,7 +25,8 @@ template <class T>
 struct TransitionMatrix {
   std::size_t size = 0;
   std::vector<T> columns;  // column-major
-  bool solved = true;      // false: a Newton iteration failed
+  std::vector<T> errors;  // where the error estimate of the first `n` columns goes, n rows; zeros without one
+  bool solved = true;     // false: a Newton iteration failed
 };
 
 /// The functions of a method for one number type; null where it does not work in that type.

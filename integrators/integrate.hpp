@@ -175,17 +175,16 @@ double first_step(const P& system, const ErrorControl& control, int error_order,
 }
 
 /// Two estimates are weighed against each other: |e|^2 / sqrt(|e|^2 + 0.01 |e'|^2), so that one that happens
-/// to vanish does not deceive (E. Hairer, S. P. Norsett, G. Wanner, Solving ODEs I, II.10). Squares in, square
-/// out.
+/// to vanish does not deceive (E. Hairer, S. P. Norsett, G. Wanner, Solving ODEs I, II.10). Squares in,
+/// square out.
 inline double combined_square(double square, double second) {
   const double both = square + 0.01 * second;
   return both == 0 ? 0 : square * (square / both);
 }
 template <class S, class Floors>
 [[gnu::always_inline]] inline double mean_square_of(const S& stepper, const typename S::State& error,
-                                                    const typename S::State& y,
-                                                    const typename S::State& next, double relative,
-                                                    const Floors& floors) {
+                                                    const typename S::State& y, const typename S::State& next,
+                                                    double relative, const Floors& floors) {
   if constexpr (requires { stepper.second_error(); })
     return combined_square(mean_square_error(error, y, next, relative, floors),
                            mean_square_error(stepper.second_error(), y, next, relative, floors));

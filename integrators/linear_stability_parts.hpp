@@ -33,6 +33,19 @@ Coefficient matrix_log_radius(const std::vector<Coefficient>& matrix);
 /// Where a step that is a function and no polynomial is stable, in units of dt * rate.
 NonNegative function_stable(const SecondOrderStep& step, Coefficient stiffness, Coefficient damping);
 
+/// A linear form in (x_n, v_n), over a common denominator.
+struct Form {
+  RealPolynomial of_x, of_v;
+};
+/// One step as polynomials in dt, of moves or of a matrix that knows no damping.
+struct StepMatrix {
+  Form x, v;  // what becomes of (x_n, v_n), times the denominator
+  RealPolynomial denominator;
+  RealPolynomial trace() const;        // times the denominator
+  RealPolynomial determinant() const;  // times its square
+};
+StepMatrix step_matrix(const Theory& theory, Coefficient stiffness, Coefficient damping);
+
 /// In units of dt * rate.
 NonNegative second_order_stable(const Theory& theory, Coefficient stiffness, Coefficient damping);
 Coefficient second_order_log_radius(const Theory& theory, Coefficient stiffness, Coefficient damping,

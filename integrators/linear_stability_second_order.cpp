@@ -8,19 +8,8 @@ namespace odemark::detail {
 
 namespace {
 
-/// A linear form in (x_n, v_n), over a common denominator.
-struct Form {
-  RealPolynomial of_x, of_v;
-};
 Form operator+(const Form& a, const Form& b) { return {a.of_x + b.of_x, a.of_v + b.of_v}; }
 Form operator*(const RealPolynomial& p, const Form& a) { return {p * a.of_x, p * a.of_v}; }
-
-struct StepMatrix {
-  Form x, v;  // what becomes of (x_n, v_n), over the denominator
-  RealPolynomial denominator;
-  RealPolynomial trace() const { return x.of_x + v.of_v; }
-  RealPolynomial determinant() const { return x.of_x * v.of_v - x.of_v * v.of_x; }
-};
 
 StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
                        Coefficient damping) {
@@ -71,12 +60,15 @@ StepMatrix step_matrix(const OscillatorMatrix& m, Coefficient stiffness) {
   return {{in_dt(m.xx, 0), in_dt(m.xv, 1)}, {in_dt(m.vx, -1), in_dt(m.vv, 0)}, RealPolynomial({1})};
 }
 
+}  // namespace
+
+RealPolynomial StepMatrix::trace() const { return x.of_x + v.of_v; }
+RealPolynomial StepMatrix::determinant() const { return x.of_x * v.of_v - x.of_v * v.of_x; }
+
 StepMatrix step_matrix(const Theory& theory, Coefficient stiffness, Coefficient damping) {
   return theory.moves.empty() ? step_matrix(theory.oscillator, stiffness)
                               : step_matrix(theory.moves, stiffness, damping);
 }
-
-}  // namespace
 
 bool is_second_order(const Theory& theory) {
   return !theory.moves.empty() || !theory.oscillator.xx.empty() || theory.second_order_step;
