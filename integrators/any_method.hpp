@@ -50,6 +50,7 @@ struct AnyMethod {
   bool takes_fixed_steps = true, takes_error_control = false, compensated = false, multistep = false;
   std::string_view starter = "";  // of a multistep method
   std::string_view note = "";     // what a reader of its rows must know
+  std::string_view advice = "";   // when to take it, and when not
   std::function<Theory()> theory;
   std::tuple<MethodRuns<float>, MethodRuns<double>, MethodRuns<long double>> by_type;
 

@@ -22,6 +22,16 @@ auto& engine_of(S& stepper) {
     return stepper;
 }
 
+/// The power of h that the error estimate goes with: one more than the lower of the two orders, unless the
+/// kind knows better.
+template <const auto& method>
+constexpr int error_order() {
+  if constexpr (requires { method.error_order(); })
+    return method.error_order();
+  else
+    return std::min(method.order, method.embedded_order) + 1;
+}
+
 /// One run under either control. A method without an estimate under error control is not applicable.
 template <const auto& method, class P, class Observer = NoObserver>
 RunReport solve(const P& system, const Control& control, double t0, double t1, typename P::State& y,
@@ -34,7 +44,7 @@ RunReport solve(const P& system, const Control& control, double t0, double t1, t
     if (const auto* fixed = std::get_if<FixedSteps>(&control))
       return integrate(stepper, *fixed, t0, t1, y, observe);
     if constexpr (method.embedded_order > 0)
-      return integrate(stepper, system, std::get<ErrorControl>(control), method.embedded_order + 1, t0, t1, y,
+      return integrate(stepper, system, std::get<ErrorControl>(control), error_order<method>(), t0, t1, y,
                        observe);
     RunReport report;
     report.status = RunStatus::not_applicable;
@@ -82,6 +92,7 @@ AnyMethod erase_method() {
   any.theory = [] { return method.theory(); };
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
   if constexpr (requires { method.note; }) any.note = method.note;
+  if constexpr (requires { method.advice; }) any.advice = method.advice;
   if constexpr (HasDriver<method, ErasedSystem<double>>) {
     any.takes_fixed_steps = Kind::takes_fixed_steps, any.takes_error_control = true;
   } else {

@@ -141,6 +141,22 @@ double first_step(const P& system, const ErrorControl& control, double t0, doubl
   return std::isfinite(h) && h > 0 ? std::min(h, (t1 - t0) / 100) : (t1 - t0) / 100;
 }
 
+/// Two estimates are weighed against each other: |e|^2 / sqrt(|e|^2 + 0.01 |e'|^2), so that one that happens
+/// to vanish does not deceive (E. Hairer, S. P. Norsett, G. Wanner, Solving ODEs I, II.10).
+inline double combined_error_norm(double norm, double second) {
+  const double both = std::sqrt(norm * norm + 0.01 * second * second);
+  return both == 0 ? 0 : norm * (norm / both);
+}
+template <class S>
+double error_norm_of(const S& stepper, const typename S::State& error, const typename S::State& y,
+                     const typename S::State& next, const ErrorControl& control) {
+  if constexpr (requires { stepper.second_error(); })
+    return combined_error_norm(error_norm(error, y, next, control),
+                               error_norm(stepper.second_error(), y, next, control));
+  else
+    return error_norm(error, y, next, control);
+}
+
 /// Error-controlled steps. `error_order` is the order of the error estimate, embedded order + 1.
 template <Stepper S, class P, class Observer = NoObserver>
 RunReport integrate(S& stepper, const P& system, const ErrorControl& control, int error_order, double t0,
@@ -169,8 +185,8 @@ RunReport integrate(S& stepper, const P& system, const ErrorControl& control, in
     const bool last = t + h * Real(1.0001) >= Real(t1);
     if (last) h = Real(t1) - t;
     newton_failed = stepper.attempt(t, y, h, next, error) != StepStatus::ok;
-    const double norm =
-        newton_failed ? std::numeric_limits<double>::quiet_NaN() : error_norm(error, y, next, control);
+    const double norm = newton_failed ? std::numeric_limits<double>::quiet_NaN()
+                                      : error_norm_of(stepper, error, y, next, control);
     const Real factor = Real(filter.next_factor(norm));
     if (norm <= 1) {
       stepper.accept();
