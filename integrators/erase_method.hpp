@@ -22,16 +22,6 @@ auto& engine_of(S& stepper) {
     return stepper;
 }
 
-/// The power of h that the error estimate goes with: one more than the lower of the two orders, unless the
-/// kind knows better.
-template <const auto& method>
-constexpr int error_order() {
-  if constexpr (requires { method.error_order(); })
-    return method.error_order();
-  else
-    return std::min(method.order, method.embedded_order) + 1;
-}
-
 /// One run under either control. A method without an estimate under error control is not applicable.
 template <const auto& method, class P, class Observer = NoObserver>
 RunReport solve(const P& system, const Control& control, double t0, double t1, typename P::State& y,
@@ -77,7 +67,8 @@ MethodRuns<T> runs_of() {
       return solve<method>(system, control, t0, t1, y);
     };
     runs.solve_traced = solve_traced<method, T>;
-    if constexpr (!HasDriver<method, E>) runs.transition = transition<method, T>;
+    if constexpr (!HasDriver<method, E> && !requires { KindOf<method>::has_transition; })
+      runs.transition = transition<method, T>;
   }
   return runs;
 }

@@ -62,7 +62,7 @@ class LowStorageStepper {
  private:
   template <std::size_t I>
   [[gnu::always_inline]] void evaluate_stage(Real t, const State& y, Real h, State& next) {
-    constexpr Real carry = static_cast<Real>(method.carry[I]), gain = static_cast<Real>(method.gain[I]);
+    constexpr Real gain = static_cast<Real>(method.gain[I]);
     constexpr Real node = static_cast<Real>(method.tableau().c(I));
     if constexpr (I == 0)
       system_.rhs(t, y, slope_);
@@ -73,7 +73,7 @@ class LowStorageStepper {
         change_.data()[i] = h * slope_.data()[i];
         next.data()[i] = y.data()[i] + gain * change_.data()[i];
       } else {
-        change_.data()[i] = carry * change_.data()[i] + h * slope_.data()[i];
+        change_.data()[i] = static_cast<Real>(method.carry[I]) * change_.data()[i] + h * slope_.data()[i];
         next.data()[i] = next.data()[i] + gain * change_.data()[i];
       }
     });
