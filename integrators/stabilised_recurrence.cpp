@@ -30,8 +30,8 @@ Chebyshev chebyshev(std::size_t degree, Coefficient w) {
   return sequence.now;
 }
 
-/// B. P. Sommeijer, L. F. Shampine, J. G. Verwer, J. Comput. Appl. Math. 88 (1998) 315-326; damping of the first-order
-/// method as in J. G. Verwer, Appl. Numer. Math. 22 (1996) 359-379.
+/// B. P. Sommeijer, L. F. Shampine, J. G. Verwer, J. Comput. Appl. Math. 88 (1998) 315-326; damping of the
+/// first-order method as in J. G. Verwer, Appl. Numer. Math. 22 (1996) 359-379.
 Coefficient shift(StabilisedFamily family, std::size_t s) {
   const Coefficient damping = family == StabilisedFamily::rkc1 ? 0.05L : 2.0L / 13;
   return 1 + damping / (Coefficient(s) * Coefficient(s));
@@ -77,7 +77,7 @@ void fill_legendre(std::size_t s, std::vector<RecurrenceStage>& out) {
 }  // namespace
 
 std::size_t stage_cap(StabilisedFamily family) {
-  return family == StabilisedFamily::rock2 ? rock2_polynomials().back().stages
+  return family == StabilisedFamily::rock2  ? rock2_polynomials().back().stages
          : family == StabilisedFamily::rkl2 ? 201
                                             : 200;
 }
@@ -85,14 +85,10 @@ std::size_t stage_cap(StabilisedFamily family) {
 Coefficient real_interval(StabilisedFamily family, std::size_t s) {
   const Coefficient n = Coefficient(s);
   switch (family) {
-    case StabilisedFamily::rkc1:
-      return (shift(family, s) + 1) / stretch(family, s);
-    case StabilisedFamily::rkc2:
-      return (shift(family, s) + 1) / stretch(family, s);
-    case StabilisedFamily::rkl2:
-      return (n * n + n - 2) / 2;
-    case StabilisedFamily::rock2:
-      return rock2_polynomial(s).real_interval;
+    case StabilisedFamily::rkc1: return (shift(family, s) + 1) / stretch(family, s);
+    case StabilisedFamily::rkc2: return (shift(family, s) + 1) / stretch(family, s);
+    case StabilisedFamily::rkl2: return (n * n + n - 2) / 2;
+    case StabilisedFamily::rock2: return rock2_polynomial(s).real_interval;
   }
   return 0;
 }
@@ -148,7 +144,8 @@ std::complex<Coefficient> stability_value(StabilisedFamily family, std::size_t s
   std::complex<Coefficient> before = 0, now = 0;  // Y_j - Y_0, in units of Y_0
   for (std::size_t j = 1; j <= recurrence.count; ++j) {
     const auto& stage = recurrence.stages[j];
-    const auto next = stage.mu * now + stage.nu * before + z * (stage.slope * (1.0L + now) + stage.first_slope);
+    const auto next =
+        stage.mu * now + stage.nu * before + z * (stage.slope * (1.0L + now) + stage.first_slope);
     before = now, now = next;
   }
   return (1.0L + now) * (1.0L + z * (2 * recurrence.sigma + z * recurrence.tau));

@@ -12,8 +12,8 @@ enum class StabilisedFamily { rkc1, rkc2, rkl2, rock2 };
 
 /// Y_0 = y, and for j = 1 ... count, with F_j = f(t + node_j h, Y_j):
 ///   Y_j = Y_0 + mu (Y_(j-1) - Y_0) + nu (Y_(j-2) - Y_0) + h (slope F_(j-1) + first_slope F_0).
-/// Rounding errors grow with the square of the number of stages in this form, not exponentially as in Butcher's
-/// (P. J. van der Houwen, B. P. Sommeijer, ZAMM 60 (1980) 479-485).
+/// Rounding errors grow with the square of the number of stages in this form, not exponentially as in
+/// Butcher's (P. J. van der Houwen, B. P. Sommeijer, ZAMM 60 (1980) 479-485).
 struct RecurrenceStage {
   Coefficient mu = 0, nu = 0, slope = 0, first_slope = 0;
   Coefficient node = 0;  // where Y_j stands
@@ -29,8 +29,8 @@ struct StabilisedRecurrence {
 /// Largest number of evaluations that a step may take.
 std::size_t stage_cap(StabilisedFamily family);
 
-/// The fewest stages that the family has whose real interval is at least `reach` = h times the spectral radius, or
-/// its cap where none suffices. NaN gets the cap.
+/// The fewest stages that the family has whose real interval is at least `reach` = h times the spectral
+/// radius, or its cap where none suffices. NaN gets the cap.
 std::size_t stages_for(StabilisedFamily family, Coefficient reach);
 
 /// R is stable (and damped, but for RKL2) on [-real_interval, 0].

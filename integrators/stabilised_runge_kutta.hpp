@@ -15,7 +15,8 @@ class NamedStabilisedStepper;
 struct StabilisedRungeKutta {
   static constexpr std::string_view kind_name = "stabilised Runge-Kutta";
   static constexpr unsigned needs = 0;
-  /// A step on a linear problem is no fixed matrix: the stages depend on the spectral radius as it is estimated.
+  /// A step on a linear problem is no fixed matrix: the stages depend on the spectral radius as it is
+  /// estimated.
   static constexpr bool has_transition = false;
 
   std::string_view id, source, note = "", advice = "";
@@ -38,11 +39,12 @@ struct StabilisedRungeKutta {
   using Stepper = NamedStabilisedStepper<method, P>;
 };
 
-/// Which of the methods is a run-time value: one engine serves all. The spectral radius of the Jacobian comes from a
-/// nonlinear power iteration at the start and every 25 accepted steps, started from the direction it found last and
-/// enlarged by a fifth, as in the RKC code (B. P. Sommeijer, L. F. Shampine, J. G. Verwer, J. Comput. Appl. Math. 88
-/// (1998) 315-326); its evaluations are counted like all others. A step that needs more stages than the cap is refused
-/// under error control (its estimate is NaN); with a fixed step it is taken with the cap and may be unstable.
+/// Which of the methods is a run-time value: one engine serves all. The spectral radius of the Jacobian comes
+/// from a nonlinear power iteration at the start and every 25 accepted steps, started from the direction it
+/// found last and enlarged by a fifth, as in the RKC code (B. P. Sommeijer, L. F. Shampine, J. G. Verwer, J.
+/// Comput. Appl. Math. 88 (1998) 315-326); its evaluations are counted like all others. A step that needs
+/// more stages than the cap is refused under error control (its estimate is NaN); with a fixed step it is
+/// taken with the cap and may be unstable.
 template <System P>
 class StabilisedStepper {
  public:
@@ -99,8 +101,8 @@ class StabilisedStepper {
   /// The slope at the end of a step: part of the estimate, and first of the next step.
   bool keeps_last() const { return estimates_ && family_ != StabilisedFamily::rock2; }
 
-  /// Leaves Y_count in stage_ and Y_count - y in now_. Increments are carried, not stages: their rounding errors are
-  /// small beside those of y.
+  /// Leaves Y_count in stage_ and Y_count - y in now_. Increments are carried, not stages: their rounding
+  /// errors are small beside those of y.
   void run_recurrence(Real t, const State& y, Real h) {
     for_each_component(y, [&](std::size_t i) { before_.data()[i] = now_.data()[i] = 0; });
     for (std::size_t j = 1; j <= recurrence_.count; ++j) {
@@ -110,7 +112,8 @@ class StabilisedStepper {
         system_.rhs(t + Real(recurrence_.stages[j - 1].node) * h, stage_, slope_);
         slope = &slope_;
       }
-      const Real mu = Real(c.mu), nu = Real(c.nu), weight = h * Real(c.slope), at_start = h * Real(c.first_slope);
+      const Real mu = Real(c.mu), nu = Real(c.nu), weight = h * Real(c.slope),
+                 at_start = h * Real(c.first_slope);
       for_each_component(y, [&](std::size_t i) {
         const Real fresh = mu * now_.data()[i] + nu * before_.data()[i] + at_start * first_.data()[i] +
                            weight * slope->data()[i];
@@ -119,8 +122,7 @@ class StabilisedStepper {
         stage_.data()[i] = y.data()[i] + fresh;
       });
     }
-    if (recurrence_.count == 0)
-      for_each_component(y, [&](std::size_t i) { stage_.data()[i] = y.data()[i]; });
+    if (recurrence_.count == 0) for_each_component(y, [&](std::size_t i) { stage_.data()[i] = y.data()[i]; });
   }
 
   /// The two last stages of ROCK2; their difference is the error estimate.
@@ -145,8 +147,8 @@ class StabilisedStepper {
   void estimate(Real t, const State& y, Real h, const State& next, State& error) {
     system_.rhs(t + h, next, last_);
     for_each_component(y, [&](std::size_t i) {
-      error.data()[i] = Real(0.8L) * (y.data()[i] - next.data()[i]) +
-                        Real(0.4L) * h * (first_.data()[i] + last_.data()[i]);
+      error.data()[i] =
+          Real(0.8L) * (y.data()[i] - next.data()[i]) + Real(0.4L) * h * (first_.data()[i] + last_.data()[i]);
     });
   }
 
@@ -160,7 +162,8 @@ class StabilisedStepper {
     constexpr int most_iterations = 50;
     const Real size = norm(y), root = std::sqrt(std::numeric_limits<Real>::epsilon());
     const Real shift = size > 0 ? size * root : root;
-    if (!direction_known_) for_each_component(y, [&](std::size_t i) { direction_.data()[i] = first_.data()[i]; });
+    if (!direction_known_)
+      for_each_component(y, [&](std::size_t i) { direction_.data()[i] = first_.data()[i]; });
     Real length = norm(direction_);
     if (!(length > 0)) {
       for_each_component(y, [&](std::size_t i) { direction_.data()[i] = i % 2 ? Real(-1) : Real(1); });
@@ -169,12 +172,14 @@ class StabilisedStepper {
     Real radius = 0;
     for (int n = 0; n < most_iterations; ++n) {
       const Real scale = shift / length;
-      for_each_component(y, [&](std::size_t i) { stage_.data()[i] = y.data()[i] + scale * direction_.data()[i]; });
+      for_each_component(
+          y, [&](std::size_t i) { stage_.data()[i] = y.data()[i] + scale * direction_.data()[i]; });
       system_.rhs(t, stage_, slope_);
       // the shift as it arrived, not as it was meant: rounding is as large as a part of it
       for_each_component(y, [&](std::size_t i) { stage_.data()[i] -= y.data()[i]; });
       const Real taken = norm(stage_);
-      for_each_component(y, [&](std::size_t i) { direction_.data()[i] = slope_.data()[i] - first_.data()[i]; });
+      for_each_component(y,
+                         [&](std::size_t i) { direction_.data()[i] = slope_.data()[i] - first_.data()[i]; });
       length = norm(direction_);
       if (!(length > 0) || !(taken > 0)) break;  // nothing changes in this direction, or NaN
       const Real found = length / taken;
@@ -192,9 +197,9 @@ class StabilisedStepper {
   StabilisedFamily family_;
   bool estimates_;
   StabilisedRecurrence recurrence_;
-  State first_, last_;                       // f(t, y); f at the end of the step
-  State before_, now_, stage_, slope_;       // Y_(j-2) - y, Y_(j-1) - y, Y_j, F_j
-  State direction_;                          // in which f changes fastest, as far as known
+  State first_, last_;                  // f(t, y); f at the end of the step
+  State before_, now_, stage_, slope_;  // Y_(j-2) - y, Y_(j-1) - y, Y_j, F_j
+  State direction_;                     // in which f changes fastest, as far as known
   Real radius_ = 0;
   std::size_t stages_ = 0, fixed_stages_ = 0;
   int age_ = 0;
