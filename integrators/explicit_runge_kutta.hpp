@@ -103,6 +103,23 @@ class ExplicitRungeKuttaStepper {
   /// integrators/integrate.hpp.
   const State& second_error() const requires(method.has_second_estimate()) { return second_; }
 
+  /// y(t + theta h) from the slopes of the last attempt, before accept(): no evaluation. For states of
+  /// run-time size, whose slopes are stored.
+  void interpolate(Real theta, const State& y, Real h, State& out)  //
+      requires(method.dense_order > 0 && fixed_size<State> == 0) {
+    std::array<Real, method.stages> weights{};
+    for (std::size_t j = 0; j < method.stages; ++j) {
+      for (std::size_t k = highest_dense_degree; k-- > 0;)
+        weights[j] = (weights[j] + static_cast<Real>(method.dense[j][k])) * theta;
+      weights[j] *= h;
+    }
+    for_each_component(y, [&](std::size_t i) {
+      Component sum = y.data()[i] + weights[0] * first_.data()[i];
+      for (std::size_t j = 1; j < method.stages; ++j) sum = sum + weights[j] * slopes_[j].data()[i];
+      out.data()[i] = sum;
+    });
+  }
+
   StepStatus attempt_compensated(Real t, const State& y, const State& carry, Real h, State& next,
                                  State& next_carry) requires(fixed_size<State> == 0) {
     if (!first_known_) system_.rhs(t, y, first_);

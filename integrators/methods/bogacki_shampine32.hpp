@@ -13,8 +13,11 @@ inline constexpr ExplicitRungeKutta<4> bogacki_shampine32{
     .a = {{{}, {1.0L / 2}, {0, 3.0L / 4}, {2.0L / 9, 1.0L / 3, 4.0L / 9}}},
     .b = {2.0L / 9, 1.0L / 3, 4.0L / 9, 0},
     .b_embedded = {7.0L / 24, 1.0L / 4, 1.0L / 3, 1.0L / 8},
+    .dense_order = 3,  // cubic Hermite
+    .dense = {{{1, -4.0L / 3, 5.0L / 9}, {0, 1, -2.0L / 3}, {0, 4.0L / 3, -8.0L / 9}, {0, -1, 1}}},
 };
 static_assert(orders_hold(bogacki_shampine32));
+static_assert(dense_order_holds(bogacki_shampine32));
 static_assert(bogacki_shampine32.first_same_as_last());
 
 }  // namespace odemark
