@@ -51,6 +51,7 @@ std::vector<float> strict_end(const F& family, int steps) {
 template <class Kind>
 concept LeavesLinearAlgebraToOthers =
     (Kind::needs & Ability::linear_part) != 0 || Kind::kind_name == "diagonally implicit Runge-Kutta" ||
+    Kind::kind_name == "fully implicit Runge-Kutta" || Kind::kind_name == "variable-order Radau IIA" ||
     Kind::kind_name == "chapter listing";
 
 template <const auto& method, class F>

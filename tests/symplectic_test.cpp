@@ -45,11 +45,13 @@ double determinant(const AnyMethod& method, double h) {
 TEST(Symplectic, TheExpectedOnesAreFound) {
   for (const char* id :
        {"chapter_euler", "semi_implicit_euler", "stormer_verlet", "velocity_verlet_old_velocity", "yoshida4",
-        "implicit_midpoint", "implicit_trapezoid"})
+        "implicit_midpoint", "implicit_trapezoid", "gauss4", "gauss6", "gauss8", "lobatto_iiia4"})
     EXPECT_TRUE(conserves_area(suite_method(id))) << id;
-  for (const char* id : {"stormer_verlet", "yoshida4", "implicit_midpoint", "implicit_trapezoid"})
+  for (const char* id : {"stormer_verlet", "yoshida4", "implicit_midpoint", "implicit_trapezoid", "gauss4",
+                         "gauss6", "gauss8", "lobatto_iiia4", "lobatto_iiib4"})
     EXPECT_TRUE(is_symmetric(suite_method(id))) << id;
-  for (const char* id : {"explicit_euler", "heun", "rk4", "implicit_euler", "sdirk2"})
+  for (const char* id :
+       {"explicit_euler", "heun", "rk4", "implicit_euler", "sdirk2", "radau_iia5", "lobatto_iiic4"})
     EXPECT_FALSE(conserves_area(suite_method(id)) || is_symmetric(suite_method(id))) << id;
   EXPECT_FALSE(is_symmetric(suite_method("semi_implicit_euler")));
 }
