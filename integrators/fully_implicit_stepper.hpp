@@ -25,7 +25,7 @@ class FullyImplicitRungeKuttaStepper {
   FullyImplicitRungeKuttaStepper(const P& system, const State& model)
       : system_(system),
         size_(size_of(model)),
-        tables_(StageTables<Real, S>::of(method)),
+        tables_(StageTables<Real, S>::template of<method>()),
         real_lu_(make_all<real_modes, ShiftedLu<Real, Real, N>>()),
         pair_lu_(make_all<pairs, ShiftedLu<Real, PlainComplex<Real>, N>>()) {
     for (State* s : {&stage_, &weight_, &start_slope_, &increment_, &last_increment_, &spare_, &more_})

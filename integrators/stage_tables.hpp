@@ -17,8 +17,9 @@ struct StageTables {
   Row shift_re{}, shift_im{};  // 1 / eigenvalue of A, by mode; 0 for a zero eigenvalue
   Row extrapolate{};           // denominators of the Lagrange polynomials on the nodes and, where free, 0
 
-  template <class Method>
-  static const StageTables& of(const Method& method) {
+  /// One table for each method: two of the same size share their type.
+  template <const auto& method>
+  static const StageTables& of() {
     static const StageTables tables(method);
     return tables;
   }

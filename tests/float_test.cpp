@@ -59,7 +59,8 @@ concept LeavesLinearAlgebraToOthers =
     Kind::kind_name == "diagonally implicit Runge-Kutta" || Kind::kind_name == "average vector field" ||
     Kind::kind_name == "implicit multistep" || Kind::kind_name == "linearly implicit extrapolation" ||
     Kind::kind_name == "Rosenbrock" || Kind::kind_name == "exponential" ||
-    Kind::kind_name == "fully implicit Runge-Kutta" || requires {
+    Kind::kind_name == "fully implicit Runge-Kutta" || Kind::kind_name == "variable-order Radau IIA" ||
+    requires {
   Kind::takes_fixed_steps;
 };
 

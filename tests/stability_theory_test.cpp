@@ -73,8 +73,33 @@ TEST(StabilityTheory, PublishedIntervals) {
 }
 
 TEST(StabilityTheory, ImplicitMethodsHaveNoLimitInTheLeftHalfPlane) {
-  for (const auto* id :
-       {"implicit_euler", "implicit_trapezoid", "implicit_midpoint", "sdirk2", "exponential_euler"})
+  for (const auto* id : {"implicit_euler",
+                         "implicit_trapezoid",
+                         "implicit_midpoint",
+                         "sdirk2",
+                         "sdirk3_alexander",
+                         "sdirk3_crouzeix",
+                         "sdirk43",
+                         "tr_bdf2",
+                         "esdirk32",
+                         "esdirk43",
+                         "esdirk54",
+                         "kvaerno32",
+                         "kvaerno43",
+                         "kvaerno54",
+                         "gauss4",
+                         "gauss6",
+                         "gauss8",
+                         "radau_ia3",
+                         "radau_ia5",
+                         "radau_iia3",
+                         "radau_iia5",
+                         "radau_iia9",
+                         "radau_iia13",
+                         "lobatto_iiia4",
+                         "lobatto_iiib4",
+                         "lobatto_iiic4",
+                         "exponential_euler"})
     for (int i = 0; i <= 24; ++i) {
       const Coefficient angle = Coefficient(i) / 48 * std::numbers::pi_v<Coefficient>;
       const auto p = i == 0    ? imaginary_axis()
