@@ -100,10 +100,9 @@ class BdfDriver {
       if (bent < h) h = bent;
     }
     h_ = Real(h);
-    system_.rhs(t_, y, differences_[1]);
     for_each_component(y, [&](std::size_t i) {
       differences_[0].data()[i] = y.data()[i];
-      differences_[1].data()[i] *= h_;
+      differences_[1].data()[i] = h_ * correction_.data()[i];
     });
   }
 
@@ -152,7 +151,7 @@ class BdfDriver {
     next_ = predicted_;
     for_each_component(next_, [&](std::size_t i) { distance_.data()[i] = 0; });
     double previous = 0;
-    for (iterations_ = 1; iterations_ <= most_iterations; ++iterations_) {
+    for (int iteration = 1; iteration <= most_iterations; ++iteration) {
       system_.rhs(t, next_, correction_);
       for_each_component(next_, [&](std::size_t i) {
         correction_.data()[i] = diagonal * correction_.data()[i] - known_.data()[i] - distance_.data()[i];
@@ -172,7 +171,7 @@ class BdfDriver {
       }
       const double left = rate_ < 1 ? moved * rate_ / (1 - rate_) : moved;
       if (left <= newton_tolerance_) return true;
-      if (previous > 0 && left * std::pow(rate_, most_iterations - iterations_ - 1) > newton_tolerance_)
+      if (previous > 0 && left * std::pow(rate_, most_iterations - iteration - 1) > newton_tolerance_)
         return false;
       previous = moved;
     }
@@ -243,7 +242,6 @@ class BdfDriver {
   Real t_ = 0, h_ = 0;
   std::size_t order_ = 1, equal_steps_ = 0;
   double newton_tolerance_, rate_ = 1;
-  int iterations_ = 0;
   bool jacobian_fresh_ = false, factored_ = false;
 };
 

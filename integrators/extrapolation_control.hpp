@@ -28,14 +28,15 @@ class ExtrapolationPlan {
   double h() const { return h_; }
   std::size_t last_row() const { return target_ + 1; }
   /// Rows before the window around the target are not expected to suffice, except where nothing is known.
-  bool may_end_at(std::size_t row) const { return row + 1 >= target_ || first_; }
+  /// The second row alone has nothing below it to be compared with: a run would never leave it.
+  bool may_end_at(std::size_t row) const { return first_ || (row >= 2 && row + 1 >= target_); }
 
   /// Takes note of the error norm of a row tried with step h.
   void note(std::size_t row, double h, double error) {
     const double power = 1.0 / Table::error_power(row), most = std::pow(0.02, power);
     const double factor = safety_ * std::pow(0.65 / std::max(error, 1e-30), power);
     wished_[row] = h * std::clamp(factor, most / 4, 1 / most);
-    cost_[row] = Table::work(row) / wished_[row];
+    cost_[row] = Table::work(row) / (h * factor);  // not that of the cap, which is tighter for high orders
   }
 
   /// Can the rows that are left still bring this error below 1? Each divides it by a ratio of substeps.

