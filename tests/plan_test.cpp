@@ -45,7 +45,7 @@ TEST(Plan, MistakesAreOneSentenceWithTheNearestName) {
               AllOf(HasSubstr("there is no suite \"quik\""), HasSubstr("did you mean \"quick\"?")));
   EXPECT_THAT(complaint([](auto& o) { o.methods = "rk5"; }),
               AllOf(HasSubstr("there is no method \"rk5\""), HasSubstr("did you mean \"rk4\"?")));
-  EXPECT_THAT(complaint([](auto& o) { o.methods = "verlet*"; }), HasSubstr("there is no method \"verlet*\""));
+  EXPECT_THAT(complaint([](auto& o) { o.methods = "vervet*"; }), HasSubstr("there is no method \"vervet*\""));
   EXPECT_THAT(complaint([](auto& o) { o.problems = "oscilator"; }),
               AllOf(HasSubstr("there is no problem \"oscilator\""), HasSubstr("\"oscillator\"?")));
   EXPECT_THAT(complaint([](auto& o) { o.problems = "lorenz63", o.settings = "rh=1"; }),
