@@ -204,8 +204,9 @@ TEST(Rotation, AFlippingBoxLosesItsSpinToTheImplicitStep) {
 struct TurnsInSpace {
   template <class Body, class Real>
   void operator()(Body& body, Real t, Real h, Turning<Real>& s) const {
+    const Quaternion<Real> start = s.q;
     rigid_body_splitting.step(body, t, h, s);
-    s.q = rotation_by(h * s.w) * s.q;
+    s.q = rotation_by(h * s.w) * start;
   }
 };
 /// The splitting with the torque at the start of the step, where it is not centred.
