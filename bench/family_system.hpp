@@ -13,6 +13,7 @@ template <class F, class T>
 struct FamilySystem {
   using State = std::array<T, F::size>;
   F family;
+  bool autonomous = is_autonomous_family<F>();
 
   void rhs(T t, const State& y, State& dydt) const { family.rhs(t, y.data(), dydt.data()); }
   void acceleration(T t, const State& y, T* a) const requires HasAcceleration<F> {
@@ -26,6 +27,9 @@ struct FamilySystem {
       family.jacobian(t, y.data(), j);
     else
       dual_jacobian(family, t, y.data(), j);
+  }
+  void time_derivative(T t, const State& y, State& dfdt) const {
+    dual_time_derivative(family, t, y.data(), dfdt.data());
   }
   void linear_part(MatrixView<T> l) const requires HasLinear<F> { family.template linear_part<T>(l); }
   static constexpr BodyPlace body_place() requires HasRotation<F> { return {F::rate_at, F::attitude_at}; }

@@ -135,7 +135,7 @@ void add_damping(Pictures& pictures, const Registry& registry) {
     if (!method.theory) continue;
     const Theory theory = method.theory();
     Damping damping{std::string(method.id), std::string(theory.blank_reason), {}};
-    if (!theory.numerator.empty() || !theory.rho.empty())
+    if (!theory.numerator.empty() || !theory.rho.empty() || !theory.characteristic.empty())
       for (const auto& z : pictures.damping_at)
         damping.amplification.push_back(double(amplification(theory, WideComplex(z.real(), z.imag()))));
     pictures.damping.push_back(std::move(damping));

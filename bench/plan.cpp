@@ -87,7 +87,7 @@ std::vector<ScalarType> scalars_of(std::string_view text) {
 StepFilter filter_of(std::string_view name) {
   for (const auto* filter : step_filters)
     if (filter->id == name) return *filter;
-  throw BadInput(fmt::format("\"{}\" is no step-size filter: elementary, pi and h211b are", name));
+  throw BadInput(fmt::format("\"{}\" is no step-size filter: elementary, pi, h211b and dead_band are", name));
 }
 
 long steps_for(const AnyProblem& problem, double dt) {
@@ -128,7 +128,7 @@ std::string suite_text(const PlanOptions& o) {
   add("dt", fmt::format("{}", fmt::join(o.dts, ","))),
       add("tol", fmt::format("{}", fmt::join(o.tolerances, ",")));
   add("scalar", o.scalars);
-  if (o.filter != "pi") add("filter", o.filter);
+  if (o.filter != default_filter.id) add("filter", o.filter);
   if (o.compensated) text += " compensated";
   return text;
 }

@@ -22,7 +22,7 @@ struct PlanOptions {
   std::string methods, problems, settings;
   std::vector<double> dts;         // fixed steps: instead of the suite's ladder
   std::vector<double> tolerances;  // error control: instead of the suite's ladder
-  std::string filter = "pi";
+  std::string filter{default_filter.id};
   std::string scalars = "";  // "float,double,long_double"; empty: what the suite says
   bool compensated = false;
   bool timing = true;

@@ -48,7 +48,8 @@ RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const Ru
   using Clock = std::chrono::steady_clock;
   const StaticRun* inlined = nullptr;
   if constexpr (std::is_same_v<T, double>)
-    if (!request.compensated) inlined = find_static_run(problem.family, method.id);
+    if (!request.compensated && (request.rtol || method.provider == "odemark"))
+      inlined = find_static_run(problem.family, method.id);
   const auto initial = initial_state<T>(problem);
   std::vector<T> y = initial;
   const auto once = [&] {
@@ -208,7 +209,7 @@ std::string row_id(const AnyMethod& method, const AnyProblem& problem, const Run
       request.steps ? fmt::format("steps={}", *request.steps) : fmt::format("rtol={:g}", *request.rtol);
   if (request.atol) control += fmt::format(",atol={:g}", *request.atol);
   if (request.first_step) control += fmt::format(",first_step={:g}", *request.first_step);
-  if (request.rtol && request.filter.id != pi_filter.id)
+  if (request.rtol && request.filter.id != default_filter.id)
     control += fmt::format(",filter={}", request.filter.id);
   return fmt::format("{}/{}/{}/{}{}/{}", plan, problem.id, method.id, to_string(request.scalar),
                      request.compensated ? "+compensated" : "", control);
@@ -246,7 +247,8 @@ Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& re
   if (request.steps) row.dt = (problem.t_end - problem.t_begin) / static_cast<double>(*request.steps);
   if (request.rtol) {
     row.rtol = request.rtol, row.atol = request.atol.value_or(*request.rtol);
-    row.filter = method.provider == "odemark" ? std::string(request.filter.id) : "its own";
+    row.filter =
+        method.provider == "odemark" && !method.own_step_control ? std::string(request.filter.id) : "its own";
   }
   switch (request.scalar) {
     case ScalarType::float_type: run_as<float>(row, method, problem, request, stop); break;

@@ -22,7 +22,7 @@ struct RunRequest {
   std::optional<double> rtol;  // ... error control with atol = rtol (in units of the problem's scale) ...
   std::optional<double> atol;  // ... unless given
   std::optional<double> first_step;
-  StepFilter filter = pi_filter;
+  StepFilter filter = default_filter;
   ScalarType scalar = ScalarType::double_type;
   bool compensated = false;
   int timing_repeats = 0;          // 0: do not time

@@ -97,17 +97,37 @@ class Squares {
   Edge polygon_end_;
 };
 
+/// A curve for every z that belongs to a point of the circle; which of two is the next piece of which curve
+/// is told by nearness.
 std::vector<std::vector<Point>> locus(const Theory& theory, const RegionWindow& window) {
   constexpr int points = 720;
   const double far = 4 * std::max(window.re_max - window.re_min, window.im_max - window.im_min);
-  std::vector<std::vector<Point>> pieces(1);
+  std::vector<std::vector<Point>> pieces;
+  std::vector<Point> before;
+  std::vector<std::size_t> piece_of;  // of every curve; none yet or none any more: npos
+  constexpr std::size_t npos = std::numeric_limits<std::size_t>::max();
   for (int i = 0; i < points; ++i) {
-    const auto z = root_locus(theory, Coefficient(i) * 2 * std::numbers::pi_v<Coefficient> / points);
-    const bool near = std::isfinite(z.real()) && std::abs(z) < Coefficient(far);
-    if (near) pieces.back().emplace_back(double(z.real()), double(z.imag()));
-    if (!near && !pieces.back().empty()) pieces.emplace_back();
+    std::vector<Point> now;
+    for (const auto& z : root_locus(theory, Coefficient(i) * 2 * std::numbers::pi_v<Coefficient> / points))
+      now.emplace_back(double(z.real()), double(z.imag()));
+    if (now.size() == 2 && before.size() == 2 &&
+        std::abs(now[0] - before[0]) + std::abs(now[1] - before[1]) >
+            std::abs(now[0] - before[1]) + std::abs(now[1] - before[0]))
+      std::swap(now[0], now[1]);
+    piece_of.resize(now.size(), npos);
+    for (std::size_t curve = 0; curve < now.size(); ++curve) {
+      if (!(std::abs(now[curve]) < far)) {
+        piece_of[curve] = npos;
+        continue;
+      }
+      if (piece_of[curve] == npos) {
+        piece_of[curve] = pieces.size();
+        pieces.emplace_back();
+      }
+      pieces[piece_of[curve]].push_back(now[curve]);
+    }
+    before = now;
   }
-  if (pieces.back().empty()) pieces.pop_back();
   return pieces;
 }
 
@@ -119,8 +139,8 @@ RegionWindow region_window(const Theory& theory) {
     WideComplex direction = std::polar(1.0L, Coefficient(i) * std::numbers::pi_v<Coefficient> / 48);
     if (i == 0 || i == 48) direction = i == 0 ? 1 : -1;
     if (i == 24) direction = {0, 1};
-    const auto found = theory.rho.empty() ? detail::stable_along_ray(theory, direction)
-                                          : detail::multistep_stable_along_ray(theory, direction);
+    const auto found = detail::is_multistep(theory) ? detail::multistep_stable_along_ray(theory, direction)
+                                                    : detail::stable_along_ray(theory, direction);
     for (const auto& [low, high] : found.where)
       for (const Coefficient r : {low, high}) {
         if (!(r < 200)) continue;  // beyond what a picture can show beside the origin
@@ -138,9 +158,9 @@ StabilityRegion stability_region(const std::string& method, const Theory& theory
                                  std::optional<RegionWindow> window, int cells) {
   StabilityRegion out;
   out.method = method;
-  if (theory.numerator.empty() && theory.rho.empty()) {
+  if (theory.numerator.empty() && !detail::is_multistep(theory)) {
     out.reason = !theory.blank_reason.empty() ? std::string(theory.blank_reason)
-                 : !theory.moves.empty() || theory.second_order_step
+                 : !theory.moves.empty() || !theory.oscillator.xx.empty() || theory.second_order_step
                      ? "its step is not a function of one z: it treats x and v apart"
                  : theory.exact_on_linear_part
                      ? "it is exact on linear problems: stable wherever the problem is"
@@ -150,7 +170,7 @@ StabilityRegion stability_region(const std::string& method, const Theory& theory
   const RegionWindow seen = window.value_or(region_window(theory));
   out.re_min = seen.re_min, out.re_max = seen.re_max, out.im_min = seen.im_min, out.im_max = seen.im_max;
   out.boundaries = Squares(theory, seen, cells).polygons();
-  if (!theory.rho.empty()) out.root_locus = locus(theory, seen);
+  if (detail::is_multistep(theory)) out.root_locus = locus(theory, seen);
   return out;
 }
 

@@ -68,6 +68,15 @@ class Scanner {
     return slope > 0 ? double(unknown / slope) + 4e-16 * edge : edge;
   }
 
+  /// Where several eigenvalues meet at the edge, noise rises towards it as a root of the distance, and the
+  /// scan stops short. Instability is certain where it stands out of the noise; the edge lies before that.
+  double onset(double edge) const {
+    double step = 1e-10 * edge;
+    for (; step < 0.01 * edge; step *= 4)
+      if (growth(edge + step) > 10 * (tolerance(edge + step) + subject_.noise(edge + step))) break;
+    return step;
+  }
+
   void conclude() {
     if (edges_.empty()) {
       scan_.verdict = "unlimited";
@@ -85,6 +94,9 @@ class Scanner {
       scan_.verdict = "limit";
       scan_.limit = edge;
       scan_.resolution = resolution(edge);
+      if (range_.expected > 0 &&
+          std::abs(edge - range_.expected) > std::max(1e-9 * range_.expected, scan_.resolution))
+        scan_.resolution = onset(edge);
     }
     for (std::size_t i = 1; i < edges_.size(); i += 2) {
       const double low = edges_[i], high = i + 1 < edges_.size() ? edges_[i + 1] : scan_.scanned_to;

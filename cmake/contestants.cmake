@@ -45,7 +45,7 @@ endif()
 
 if(ODEMARK_WITH_ODEINT)
   if(EXISTS ${Boost_INCLUDE_DIRS}/boost/numeric/odeint.hpp)
-    odemark_sources(sources odeint_bulirsch_stoer odeint_checks odeint_explicit odeint_rosenbrock
+    odemark_sources(sources odeint_bulirsch_stoer odeint_checks odeint_explicit odeint_inlined odeint_rosenbrock
       odeint_rosenbrock_stepper odeint_velocity_verlet)
     odemark_provider(odeint SOURCES ${sources} LINK Boost::headers)
     # without NDEBUG uBLAS checks every solve again; uBLAS up to Boost 1.74 does not compile as C++20

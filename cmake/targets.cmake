@@ -30,9 +30,10 @@ endfunction()
 
 file(GLOB integrators_sources CONFIGURE_DEPENDS integrators/*.cpp)
 odemark_library(integrators SOURCES ${integrators_sources} ${ODEMARK_METHOD_UNITS} LINK Eigen3::Eigen)
+target_link_libraries(odemark_integrators PRIVATE $<BUILD_INTERFACE:Boost::headers>)
 
 set(once_per_method ${integrators_sources})
-list(FILTER once_per_method EXCLUDE REGEX "/(dense_lu|matrix_exponential|phi_functions)\\.cpp$")
+list(FILTER once_per_method INCLUDE REGEX "/(linear_stability[a-z_]*|eigenvalues|real_polynomial|facts[a-z_]*)\\.cpp$")
 odemark_compile_lightly(${once_per_method})
 
 # problems/ is headers only: mathematics without integrators

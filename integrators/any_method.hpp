@@ -25,7 +25,8 @@ template <class T>
 struct TransitionMatrix {
   std::size_t size = 0;
   std::vector<T> columns;  // column-major
-  bool solved = true;      // false: a Newton iteration failed
+  std::vector<T> errors;  // where the error estimate of the first `n` columns goes, n rows; zeros without one
+  bool solved = true;     // false: a Newton iteration failed
 };
 
 /// The functions of a method for one number type; null where it does not work in that type.
@@ -51,6 +52,7 @@ struct AnyMethod {
   std::string_view starter = "";  // of a multistep method
   std::string_view note = "";     // what a reader of its rows must know
   std::string_view advice = "";   // when to use it and when not, in a line
+  bool own_step_control = false;  // under error control it does not ask the step-size filter
   std::function<Theory()> theory;
   std::tuple<MethodRuns<float>, MethodRuns<double>, MethodRuns<long double>> by_type;
 

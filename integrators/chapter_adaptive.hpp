@@ -47,7 +47,7 @@ struct ChapterAdaptive {
     }
     const std::size_t half = size_of(y) / 2;
     const Real allowed = Real(adaptive->absolute_tolerance);
-    const Real nominal = Real(first_step(system, *adaptive, t0, t1, y));
+    const Real nominal = Real(first_step(system, *adaptive, 2, t0, t1, y));
     auto next = blank_like(y), middle = blank_like(y), a = zeros_like(y), b = zeros_like(y);
     Real t = Real(t0);
     while (t < Real(t1)) {

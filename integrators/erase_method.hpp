@@ -33,8 +33,9 @@ RunReport solve(const P& system, const Control& control, double t0, double t1, t
     auto& stepper = engine_of(named);
     if (const auto* fixed = std::get_if<FixedSteps>(&control))
       return integrate(stepper, *fixed, t0, t1, y, observe);
+    // the estimate is as good as the worse of the two, whichever of them is carried on
     if constexpr (method.embedded_order > 0)
-      return integrate(stepper, system, std::get<ErrorControl>(control), method.embedded_order + 1, t0, t1, y,
+      return integrate(stepper, system, std::get<ErrorControl>(control), error_order<method>(), t0, t1, y,
                        observe);
     RunReport report;
     report.status = RunStatus::not_applicable;
@@ -67,7 +68,8 @@ MethodRuns<T> runs_of() {
       return solve<method>(system, control, t0, t1, y);
     };
     runs.solve_traced = solve_traced<method, T>;
-    if constexpr (!HasDriver<method, E>) runs.transition = transition<method, T>;
+    if constexpr (!HasDriver<method, E> && !requires { KindOf<method>::has_transition; })
+      runs.transition = transition<method, T>;
   }
   return runs;
 }
@@ -83,6 +85,7 @@ AnyMethod erase_method() {
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
   if constexpr (requires { method.note; }) any.note = method.note;
   if constexpr (requires { method.advice; }) any.advice = method.advice;
+  any.own_step_control = ChoosesSteps<StepperOf<method, ErasedSystem<double>>>;
   if constexpr (HasDriver<method, ErasedSystem<double>>) {
     any.takes_fixed_steps = Kind::takes_fixed_steps, any.takes_error_control = true;
   } else {

@@ -15,9 +15,11 @@ struct ErasedSystem {
   std::size_t size = 0;
   unsigned abilities = 0;
   bool velocity_dependent = true;
+  bool autonomous = false;  // f is known not to depend on t
   void (*rhs_call)(const void*, T t, const T* y, T* dydt) = nullptr;
   void (*acceleration_call)(const void*, T t, const T* y, T* a) = nullptr;
   void (*jacobian_call)(const void*, T t, const T* y, T* column_major) = nullptr;
+  void (*time_derivative_call)(const void*, T t, const T* y, T* dfdt) = nullptr;
   void (*linear_part_call)(const void*, T* column_major) = nullptr;
   BodyPlace place{};  // of a rotating body
   void (*inertia_call)(const void*, T* principal_moments) = nullptr;
@@ -29,6 +31,9 @@ struct ErasedSystem {
   void acceleration(T t, const State& y, T* a) const { acceleration_call(self, t, y.data(), a); }
   bool force_depends_on_velocity() const { return velocity_dependent; }
   void jacobian(T t, const State& y, MatrixView<T> j) const { jacobian_call(self, t, y.data(), j.data); }
+  void time_derivative(T t, const State& y, State& dfdt) const {
+    time_derivative_call(self, t, y.data(), dfdt.data());
+  }
   void linear_part(MatrixView<T> l) const { linear_part_call(self, l.data); }
   BodyPlace body_place() const { return place; }
   void inertia(T* principal_moments) const { inertia_call(self, principal_moments); }
@@ -67,6 +72,11 @@ class CountingSystem {
     out.jacobian_call = [](const void* p, T t, const T* y, T* j) {
       const auto& me = of(p);
       ++me.counts_.jacobian, me.inner_.jacobian_call(me.inner_.self, t, y, j);
+    };
+    // f on dual numbers: one evaluation
+    out.time_derivative_call = [](const void* p, T t, const T* y, T* dfdt) {
+      const auto& me = of(p);
+      ++me.counts_.rhs, me.inner_.time_derivative_call(me.inner_.self, t, y, dfdt);
     };
     out.linear_part_call = [](const void* p, T* l) { of(p).inner_.linear_part_call(of(p).inner_.self, l); };
     out.inertia_call = [](const void* p, T* m) { of(p).inner_.inertia_call(of(p).inner_.self, m); };

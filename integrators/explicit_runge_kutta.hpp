@@ -9,6 +9,8 @@ namespace odemark {
 template <const auto& method, System P>
 class ExplicitRungeKuttaStepper;
 
+inline constexpr std::size_t highest_dense_degree = 5;
+
 /// Nodes c are the row sums of `a`; first-same-as-last is read off the rows. Neither can disagree with them.
 template <std::size_t Stages>
 struct ExplicitRungeKutta {
@@ -16,12 +18,17 @@ struct ExplicitRungeKutta {
   static constexpr unsigned needs = 0;
   static constexpr std::size_t stages = Stages;
 
-  std::string_view id, source;
+  std::string_view id, source, note = "", advice = "";
   int order;
-  int embedded_order = 0;  // 0: no error estimate
+  int embedded_order = 0;  // 0: no error estimate; above `order` where the lower formula is propagated
   std::array<std::array<Coefficient, Stages>, Stages> a{};
   std::array<Coefficient, Stages> b{};
   std::array<Coefficient, Stages> b_embedded{};
+  int second_embedded_order = 0;  // 0: one estimate; else two, combined by their norms as in DOP853
+  std::array<Coefficient, Stages> b_second_embedded{};
+  int dense_order = 0;  // 0: no values between steps; else y + h sum_j b_j(theta) k_j has this order
+  /// b_j(theta) = sum_k dense[j][k] theta^(k+1)
+  std::array<std::array<Coefficient, highest_dense_degree>, Stages> dense{};
 
   constexpr Coefficient c(std::size_t stage) const {
     Coefficient sum = 0;
@@ -30,6 +37,14 @@ struct ExplicitRungeKutta {
   }
   constexpr bool first_same_as_last() const { return Stages > 1 && a[Stages - 1] == b; }
   constexpr bool has_error_estimate() const { return embedded_order > 0; }
+  constexpr bool has_second_estimate() const { return second_embedded_order > 0; }
+  /// The power of h that the estimate goes with. Two estimates of h^(q+1) and h^(r+1), r < q, are combined to
+  /// |e_q|^2 / sqrt(|e_q|^2 + 0.01 |e_r|^2) ~ h^(2q - r + 1) (E. Hairer, S. P. Norsett, G. Wanner, Solving
+  /// ODEs I, II.10).
+  constexpr int error_order() const {
+    return has_second_estimate() ? 2 * embedded_order - second_embedded_order + 1
+                                 : (embedded_order < order ? embedded_order : order) + 1;
+  }
   Theory theory() const { return runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr); }
 
   template <const auto& method, System P>
@@ -52,6 +67,7 @@ class ExplicitRungeKuttaStepper {
     if constexpr (!is_fixed) {
       slopes_.fill(model);
       stage_ = increment_ = model;
+      if constexpr (method.has_second_estimate()) second_ = model;
     }
   }
 
@@ -83,6 +99,10 @@ class ExplicitRungeKuttaStepper {
     }
   }
 
+  /// The other estimate of the last attempt, where the method has two: see combined_square in
+  /// integrators/integrate.hpp.
+  const State& second_error() const requires(method.has_second_estimate()) { return second_; }
+
   StepStatus attempt_compensated(Real t, const State& y, const State& carry, Real h, State& next,
                                  State& next_carry) requires(fixed_size<State> == 0) {
     if (!first_known_) system_.rhs(t, y, first_);
@@ -106,6 +126,10 @@ class ExplicitRungeKuttaStepper {
   };
   struct ErrorWeights {
     static constexpr Coefficient value(std::size_t j) { return method.b[j] - method.b_embedded[j]; }
+  };
+
+  struct SecondErrorWeights {
+    static constexpr Coefficient value(std::size_t j) { return method.b[j] - method.b_second_embedded[j]; }
   };
 
   template <std::size_t I, class... Slopes>
@@ -156,7 +180,7 @@ class ExplicitRungeKuttaStepper {
   [[gnu::always_inline]] static void advance(const State& base, Real h, State& out, const Slopes&... k) {
     constexpr auto used = nonzero_weights<Weights, sizeof...(Slopes)>();
     const auto slopes = std::tie(k...);
-    [&]<std::size_t... U>(std::index_sequence<U...>) {
+    [&]<std::size_t... U>(std::index_sequence<U...>) __attribute__((always_inline)) {
       const std::array<Real, used.size()> scaled{h * static_cast<Real>(Weights::value(used[U]))...};
       for_each_component(base, [&](std::size_t i) {
         Component sum = base.data()[i];
@@ -172,7 +196,7 @@ class ExplicitRungeKuttaStepper {
   [[gnu::always_inline]] static void weighted(Real h, State& out, const Slopes&... k) {
     constexpr auto used = nonzero_weights<Weights, sizeof...(Slopes)>();
     const auto slopes = std::tie(k...);
-    [&]<std::size_t... U>(std::index_sequence<U...>) {
+    [&]<std::size_t... U>(std::index_sequence<U...>) __attribute__((always_inline)) {
       const std::array<Real, used.size()> scaled{h * static_cast<Real>(Weights::value(used[U]))...};
       for_each_component(out, [&](std::size_t i) {
         out.data()[i] = (... + (scaled[U] * std::get<used[U]>(slopes).data()[i]));
@@ -181,13 +205,14 @@ class ExplicitRungeKuttaStepper {
     (std::make_index_sequence<used.size()>{});
   }
   template <class... Slopes>
-  [[gnu::always_inline]] static void estimate(Real h, State& error, const Slopes&... k) {
+  [[gnu::always_inline]] void estimate(Real h, State& error, const Slopes&... k) {
     weighted<ErrorWeights>(h, error, k...);
+    if constexpr (method.has_second_estimate()) weighted<SecondErrorWeights>(h, second_, k...);
   }
 
   const P& system_;
   State first_, last_;  // f(t, y) of this step; f at its end where the last stage is the next first
-  State stage_{}, increment_{};
+  State stage_{}, increment_{}, second_{};
   std::array<State, is_fixed ? 0 : method.stages> slopes_{};
   bool first_known_ = false;
 };

@@ -54,7 +54,24 @@ NewtonCounts newton_counts_of(const S& stepper) {
     return {};
 }
 
+/// Ties its own iterations to the tolerance.
+template <class S>
+concept ControlledStepper = Stepper<S> && requires(S s, const ErrorControl& control) {
+  s.start(control);
+};
+/// Changes the factor that the filter wished, because it knows what else a step size costs than its error.
+template <class S>
+concept AdvisesOnSteps = ControlledStepper<S> && requires(S s, RealOf<typename S::State> wished) {
+  { s.choose_factor(wished, 0.5) } -> std::same_as<RealOf<typename S::State>>;
+};
+/// Has a controller of its own; the filter is not asked.
+template <class S>
+concept ChoosesSteps = ControlledStepper<S> && requires(S s, RealOf<typename S::State> h) {
+  { s.own_factor(h, 0.5) } -> std::same_as<RealOf<typename S::State>>;
+};
+
 namespace detail {
+
 template <Stepper S, class Observer>
 [[gnu::always_inline]] inline RunReport take_equal_steps(S& stepper, FixedSteps steps, double t0, double t1,
                                                          typename S::State& y_in_out, Observer& observe) {
@@ -122,14 +139,15 @@ RunReport integrate(S& stepper, FixedSteps steps, double t0, double t1, typename
   return detail::take_equal_steps(stepper, steps, t0, t1, y, observe);
 }
 
-/// First step from the size of the slope and the tolerance: h such that h |f| is a hundredth of the weights'
-/// distance, never more than a hundredth of the interval (a simplified form of HNW I, II.4).
+/// First step by the slope and its change over a trial Euler step (Hairer, Norsett & Wanner I, II.4): a
+/// method whose error grows like h^error_order then starts with an error of about a hundredth of the
+/// tolerance. At most a tenth of the interval. Two evaluations.
 template <class P>
-double first_step(const P& system, const ErrorControl& control, double t0, double t1,
+double first_step(const P& system, const ErrorControl& control, int error_order, double t0, double t1,
                   const typename P::State& y) {
   using Real = RealOf<typename P::State>;
   if (control.first_step > 0) return control.first_step;
-  typename P::State slope = zeros_like(y);
+  typename P::State slope = zeros_like(y), trial = y, later = slope;
   system.rhs(Real(t0), y, slope);
   double size = 0, speed = 0;
   for_each_component(y, [&](std::size_t i) {
@@ -137,28 +155,78 @@ double first_step(const P& system, const ErrorControl& control, double t0, doubl
     const double a = double(y.data()[i]) / weight, b = double(slope.data()[i]) / weight;
     size += a * a, speed += b * b;
   });
-  const double h = speed > 0 ? 0.01 * std::sqrt(std::max(size, 1.0) / speed) : (t1 - t0) / 100;
-  return std::isfinite(h) && h > 0 ? std::min(h, (t1 - t0) / 100) : (t1 - t0) / 100;
+  const double n = static_cast<double>(size_of(y)), longest = (t1 - t0) / 10;
+  size = std::sqrt(size / n), speed = std::sqrt(speed / n);
+  double h = size < 1e-5 || speed < 1e-5 ? 1e-6 * (t1 - t0) : 0.01 * size / speed;
+  if (!(h < longest)) h = longest;
+  for_each_component(y, [&](std::size_t i) { trial.data()[i] = y.data()[i] + Real(h) * slope.data()[i]; });
+  system.rhs(Real(t0 + h), trial, later);
+  double bend = 0;
+  for_each_component(y, [&](std::size_t i) {
+    const double weight = error_weight(control, i, std::abs(double(y.data()[i])));
+    const double c = double(later.data()[i] - slope.data()[i]) / weight;
+    bend += c * c;
+  });
+  const double steepest = std::max(speed, std::sqrt(bend / n) / h);
+  const double wished =
+      steepest > 1e-15 ? std::pow(0.01 / steepest, 1.0 / error_order) : std::max(1e-6 * (t1 - t0), h * 1e-3);
+  const double first = std::min(std::min(100 * h, wished), longest);
+  return std::isfinite(first) && first > 0 ? first : h;
 }
 
-/// Error-controlled steps. `error_order` is the order of the error estimate, embedded order + 1.
-template <Stepper S, class P, class Observer = NoObserver>
-RunReport integrate(S& stepper, const P& system, const ErrorControl& control, int error_order, double t0,
-                    double t1, typename S::State& y, Observer&& observe = {}) {
-  using Real = RealOf<typename S::State>;
+/// Two estimates are weighed against each other: |e|^2 / sqrt(|e|^2 + 0.01 |e'|^2), so that one that happens
+/// to vanish does not deceive (E. Hairer, S. P. Norsett, G. Wanner, Solving ODEs I, II.10). Squares in,
+/// square out.
+inline double combined_square(double square, double second) {
+  const double both = square + 0.01 * second;
+  return both == 0 ? 0 : square * (square / both);
+}
+template <class S, class Floors>
+[[gnu::always_inline]] inline double mean_square_of(const S& stepper, const typename S::State& error,
+                                                    const typename S::State& y, const typename S::State& next,
+                                                    double relative, const Floors& floors) {
+  if constexpr (requires { stepper.second_error(); })
+    return combined_square(mean_square_error(error, y, next, relative, floors),
+                           mean_square_error(stepper.second_error(), y, next, relative, floors));
+  else
+    return mean_square_error(error, y, next, relative, floors);
+}
+
+namespace detail {
+template <Stepper S, class P, class Observer>
+[[gnu::always_inline]] inline RunReport take_controlled_steps(S& stepper, const P& system,
+                                                              const ErrorControl& control, int error_order,
+                                                              double t0, double t1,
+                                                              typename S::State& y_in_out,
+                                                              Observer& observe) {
+  using State = typename S::State;
+  using Real = RealOf<State>;
   StepSizeFilter filter(control, error_order);
-  typename S::State next = blank_like(y), error = zeros_like(y);
+  State y = y_in_out, next = blank_like(y), error = zeros_like(y);
+  auto floors = [&] {
+    if constexpr (fixed_size < State >> 0)
+      return std::array<double, fixed_size<State>>{};
+    else
+      return std::vector<double>(size_of(y));
+  }();
+  for (std::size_t i = 0; i < size_of(y); ++i) floors[i] = error_weight(control, i, 0);
+  const double relative = control.relative_tolerance;
+  const Real end = Real(t1);
   RunReport report;
-  Real t = Real(t0), h = Real(first_step(system, control, t0, t1, y));
+  Real t = Real(t0), h = Real(first_step(system, control, error_order, t0, t1, y));
   const auto stop = [&](RunStatus status) {
+    y_in_out = y;
     report.status = status;
     report.t_reached = double(t);
     report.newton = newton_counts_of(stepper);
     return report;
   };
-  stepper.start();
+  if constexpr (ControlledStepper<S>)
+    stepper.start(control);
+  else
+    stepper.start();
   bool newton_failed = false;
-  while (t < Real(t1)) {
+  while (t < end) {
     if (report.accepted + report.rejected >= control.step_limit) return stop(RunStatus::step_limit);
     if (!(h > std::numeric_limits<Real>::epsilon() * std::abs(t)) ||
         !(h > std::numeric_limits<Real>::min())) {
@@ -166,26 +234,57 @@ RunReport integrate(S& stepper, const P& system, const ErrorControl& control, in
       return stop(newton_failed ? RunStatus::newton_diverged : RunStatus::step_underflow);
     }
     // stretch the last step a little rather than leave a sliver
-    const bool last = t + h * Real(1.0001) >= Real(t1);
-    if (last) h = Real(t1) - t;
+    const bool last = t + h * Real(1.0001) >= end;
+    if (last) h = end - t;
     newton_failed = stepper.attempt(t, y, h, next, error) != StepStatus::ok;
-    const double norm =
-        newton_failed ? std::numeric_limits<double>::quiet_NaN() : error_norm(error, y, next, control);
-    const Real factor = Real(filter.next_factor(norm));
-    if (norm <= 1) {
+    const double square = newton_failed ? std::numeric_limits<double>::quiet_NaN()
+                                        : mean_square_of(stepper, error, y, next, relative, floors);
+    const auto change_step = [&] {
+      Real factor;
+      if constexpr (ChoosesSteps<S>)
+        factor = stepper.own_factor(h, std::sqrt(square));
+      else
+        factor = Real(filter.next_factor(square));
+      if constexpr (AdvisesOnSteps<S>) factor = stepper.choose_factor(factor, std::sqrt(square));
+      h *= factor;
+    };
+    if (square <= 1) {
       stepper.accept();
-      const Real t_next = last ? Real(t1) : t + h;
+      const Real t_next = last ? end : t + h;
       ++report.accepted;
       const bool go_on = observe(t, y, t_next, next);
-      std::swap(y, next);
+      if constexpr (fixed_size < State >> 0)
+        y = next;
+      else
+        std::swap(y, next);
       t = t_next;
       if (!go_on) return stop(RunStatus::time_limit);
+      if (!ControlledStepper<S> && filter.keeps(square)) [[likely]]
+        filter.kept(square);
+      else
+        change_step();
     } else {
       ++report.rejected;
+      change_step();
     }
-    h *= factor;
   }
   return stop(all_finite(y) ? RunStatus::reached_end : RunStatus::not_finite);
+}
+}  // namespace detail
+
+/// Error-controlled steps. `error_order` is the order of the error estimate, embedded order + 1. As with
+/// equal steps, a state of fixed size travels in a local of the caller.
+template <Stepper S, class P, class Observer = NoObserver>
+requires(fixed_size<typename S::State> > 0)  //
+    [[gnu::always_inline]] inline RunReport
+    integrate(S& stepper, const P& system, const ErrorControl& control, int error_order, double t0, double t1,
+              typename S::State& y, Observer&& observe = {}) {
+  return detail::take_controlled_steps(stepper, system, control, error_order, t0, t1, y, observe);
+}
+template <Stepper S, class P, class Observer = NoObserver>
+RunReport integrate(S& stepper, const P& system, const ErrorControl& control, int error_order, double t0,
+                    double t1, typename S::State& y, Observer&& observe = {}) {
+  return detail::take_controlled_steps(stepper, system, control, error_order, t0, t1, y, observe);
 }
 
 }  // namespace odemark

@@ -14,8 +14,8 @@ namespace {
 constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
 
 bool has_function(const Theory& t) { return !t.numerator.empty(); }
-bool is_multistep(const Theory& t) { return !t.rho.empty(); }
-bool has_moves(const Theory& t) { return !t.moves.empty() || t.second_order_step; }
+using detail::is_multistep;
+bool knows_no_damping(const Theory& t) { return !t.oscillator.xx.empty(); }
 
 StabilityLimit unknown(std::string reason) {
   StabilityLimit out;
@@ -70,12 +70,12 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
     for (const Coefficient t : found.touches) touches.push_back(t / rate);
     stable = intersection(stable, found.where);
   };
-  if (has_moves(theory)) {
+  if (detail::is_second_order(theory)) {
     if (!problem.second_order) return unknown("theory of second-order steps needs one degree of freedom");
+    if (knows_no_damping(theory) && problem.damping != 0)
+      return unknown("the method is for forces that do not depend on velocity");
     const Coefficient rate = problem.fastest_rate;
-    const Coefficient stiffness = problem.stiffness / rate / rate, damping = problem.damping / rate;
-    require(theory.moves.empty() ? detail::second_order_stable(theory.second_order_step, stiffness, damping)
-                                 : detail::moves_stable(theory.moves, stiffness, damping),
+    require(detail::second_order_stable(theory, problem.stiffness / rate / rate, problem.damping / rate),
             rate);
   } else if (has_function(theory) || is_multistep(theory)) {
     if (is_multistep(theory) && !detail::zero_stable(theory)) return judge({}, {});
@@ -93,18 +93,18 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
 }
 
 Coefficient growth_per_step(const Theory& theory, const LinearProblem& problem, Coefficient dt) {
-  if (theory.second_order_step && problem.second_order)
-    return detail::second_order_log_radius(theory.second_order_step, problem.stiffness, problem.damping, dt);
-  if (has_moves(theory) && problem.second_order)
-    return detail::moves_log_radius(theory.moves, problem.stiffness, problem.damping, dt);
-  if (has_moves(theory) || !theory.blank_reason.empty()) return std::numeric_limits<Coefficient>::quiet_NaN();
+  const bool second_order = detail::is_second_order(theory),
+             damped = knows_no_damping(theory) && problem.damping != 0;
+  if (second_order && problem.second_order && !damped)
+    return detail::second_order_log_radius(theory, problem.stiffness, problem.damping, dt);
+  if (second_order || !theory.blank_reason.empty()) return std::numeric_limits<Coefficient>::quiet_NaN();
   Coefficient largest = -infinity;
   for (const auto& l : problem.eigenvalues) {
     const WideComplex z = l * dt;
     largest = std::max(largest, l == WideComplex(0) ? 0
                                 : theory.exact_on_linear_part
                                     ? z.real()
-                                    : (is_multistep(theory) ? std::log(amplification(theory, z))
+                                    : (is_multistep(theory) ? detail::multistep_log_amplification(theory, z)
                                                             : detail::log_amplification(theory, z)));
   }
   return largest;
@@ -122,14 +122,15 @@ Coefficient amplification(const Theory& theory, WideComplex z) {
   return at(theory.numerator) / at(theory.denominator);
 }
 
-WideComplex root_locus(const Theory& theory, Coefficient angle) {
+std::vector<WideComplex> root_locus(const Theory& theory, Coefficient angle) {
   const WideComplex w = std::polar(Coefficient(1), angle);
-  const auto at = [&](const std::vector<Coefficient>& p) {
+  std::vector<WideComplex> in_z;
+  for (const auto& c : detail::characteristic_of(theory)) {
     WideComplex sum = 0;
-    for (std::size_t k = p.size(); k-- > 0;) sum = sum * w + p[k];
-    return sum;
-  };
-  return at(theory.rho) / at(theory.sigma);
+    for (std::size_t k = c.size(); k-- > 0;) sum = sum * w + c[k];
+    in_z.push_back(sum);
+  }
+  return polynomial_roots(in_z);
 }
 
 }  // namespace odemark

@@ -56,14 +56,15 @@ bool conserves_area(const Theory& theory);
 /// Of a step that is `count` equal steps of a one-step method.
 Theory theory_of_substeps(const Theory& base, int count);
 
-/// |R(z)|; for multistep methods the largest root of rho(w) - z sigma(w). Not for moves: they see no single
-/// z.
+/// |R(z)|; for multistep methods the largest root of rho(w) - z sigma(w), or of the characteristic
+/// polynomial. Not for moves: they see no single z.
 Coefficient amplification(const Theory& theory, WideComplex z);
 
 /// The largest q with R(z) = e^z + O(z^(q+1)). What order says must vanish may be taken to be 0.
 int linear_order(const Theory& theory);
 
-/// z(phi) = rho(e^(i phi)) / sigma(e^(i phi)): the points where a multistep method has a root on the circle.
-WideComplex root_locus(const Theory& theory, Coefficient angle);
+/// All z for which a multistep method has the root e^(i angle): rho / sigma, or the two of a
+/// predictor-corrector.
+std::vector<WideComplex> root_locus(const Theory& theory, Coefficient angle);
 
 }  // namespace odemark

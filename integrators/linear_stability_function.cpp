@@ -55,7 +55,45 @@ RealPolynomial boundary_polynomial(const Theory& theory, WideComplex direction) 
   return out;
 }
 
+namespace {
+
+Intervals joined(Intervals a, const Intervals& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end());
+  Intervals out;
+  for (const auto& [low, high] : a)
+    if (!out.empty() && low <= out.back().second)
+      out.back().second = std::max(out.back().second, high);
+    else
+      out.emplace_back(low, high);
+  return out;
+}
+
+/// On the real axis Q^2 - P^2 = (Q - P)(Q + P): factors of half the degree, which keeps twice the digits of
+/// the long intervals of stabilised methods.
+NonNegative stable_on_real_axis(const Theory& theory, Coefficient sign) {
+  const auto& q = theory.denominator;
+  const auto p = trimmed(theory.numerator, q);
+  RealPolynomial minus, plus;
+  Coefficient power = 1;
+  for (std::size_t k = 0; k < std::max(p.size(), q.size()); ++k, power *= sign) {
+    const Coefficient a = k < q.size() ? power * q[k] : 0, b = k < p.size() ? power * p[k] : 0;
+    minus.add_term(k, a), minus.add_term(k, -b), plus.add_term(k, a), plus.add_term(k, b);
+  }
+  minus.clean(), plus.clean();
+  const auto negated = [](const RealPolynomial& f) { return RealPolynomial({-1}) * f; };
+  const auto a = where_not_negative(minus), b = where_not_negative(plus),
+             c = where_not_negative(negated(minus)), d = where_not_negative(negated(plus));
+  NonNegative out{joined(intersection(a.where, b.where), intersection(c.where, d.where)), a.touches};
+  for (const auto* more : {&b, &c, &d})
+    out.touches.insert(out.touches.end(), more->touches.begin(), more->touches.end());
+  return out;
+}
+
+}  // namespace
+
 NonNegative stable_along_ray(const Theory& theory, WideComplex direction) {
+  if (direction.imag() == 0) return stable_on_real_axis(theory, direction.real());
   return where_not_negative(boundary_polynomial(theory, direction));
 }
 

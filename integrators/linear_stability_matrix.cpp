@@ -47,8 +47,8 @@ bool only_drifts_and_kicks(const std::vector<SecondOrderMove>& moves) {
 std::vector<Coefficient> second_order_matrix(const Theory& theory, Coefficient stiffness, Coefficient damping,
                                              Coefficient dt) {
   if (theory.second_order_step) return theory.second_order_step(stiffness, damping, dt);
-  return theory.moves.empty() ? std::vector<Coefficient>{}
-                              : detail::moves_matrix(theory.moves, stiffness, damping, dt);
+  return detail::is_second_order(theory) ? detail::polynomial_matrix(theory, stiffness, damping, dt)
+                                         : std::vector<Coefficient>{};
 }
 
 bool conserves_area(const Theory& theory) {
@@ -72,7 +72,7 @@ Theory theory_of_substeps(const Theory& base, int count) {
         move.weight /= Coefficient(count);
         theory.moves.push_back(move);
       }
-  } else if (!base.moves.empty() || base.second_order_step) {
+  } else if (detail::is_second_order(base)) {
     theory.second_order_step = [base, count](Coefficient stiffness, Coefficient damping, Coefficient h) {
       const auto part = second_order_matrix(base, stiffness, damping, h / Coefficient(count));
       auto whole = part;
@@ -101,15 +101,10 @@ Coefficient matrix_log_radius(const std::vector<Coefficient>& m) {
   return std::log(largest);
 }
 
-Coefficient second_order_log_radius(const SecondOrderStep& step, Coefficient stiffness, Coefficient damping,
-                                    Coefficient dt) {
-  return matrix_log_radius(step(stiffness, damping, dt));
-}
-
 /// Looks every 1/50 of a radian up to 60 and every 2 % beyond, and bisects where the verdict changes: a band
 /// narrower than that is not seen.
-NonNegative second_order_stable(const SecondOrderStep& step, Coefficient stiffness, Coefficient damping) {
-  const auto growth = [&](Coefficient h) { return second_order_log_radius(step, stiffness, damping, h); };
+NonNegative function_stable(const SecondOrderStep& step, Coefficient stiffness, Coefficient damping) {
+  const auto growth = [&](Coefficient h) { return matrix_log_radius(step(stiffness, damping, h)); };
   const auto stable = [&](Coefficient h) { return growth(h) <= 1e-15L * std::max(Coefficient(1), h); };
   constexpr Coefficient end = 1e8L;
   std::vector<Coefficient> edges;

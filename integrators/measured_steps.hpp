@@ -61,6 +61,7 @@ TransitionMatrix<T> transition_of(S& stepper, std::size_t n, T h) {
   matrix.size = n * (1 + past);
   for (std::size_t j = 0; j < matrix.size; ++j) {
     std::fill(y.begin(), y.end(), T(0));
+    std::fill(error.begin(), error.end(), T(0));
     if (j < n) y[j] = T(1);
     stepper.start();
     if constexpr (HasHistory<S>) {
@@ -71,6 +72,7 @@ TransitionMatrix<T> transition_of(S& stepper, std::size_t n, T h) {
     if (stepper.attempt(T(0), y, h, next, error) != StepStatus::ok) matrix.solved = false;
     stepper.accept();
     matrix.columns.insert(matrix.columns.end(), next.begin(), next.end());
+    if (j < n) matrix.errors.insert(matrix.errors.end(), error.begin(), error.end());
     if constexpr (HasHistory<S>)
       for (std::size_t k = 0; k < past; ++k)
         matrix.columns.insert(matrix.columns.end(), stepper.history(k).begin(), stepper.history(k).end());

@@ -5,7 +5,7 @@
 
 namespace odemark {
 
-inline constexpr int highest_tree_order = 10;
+inline constexpr int highest_tree_order = 11;
 
 /// A rooted tree as the levels of its nodes in preorder, root = 1.
 struct RootedTree {

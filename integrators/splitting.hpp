@@ -23,12 +23,12 @@ struct Splitting {
   int order;
   int embedded_order = 0;
   std::array<Coefficient, Length> drift{}, kick{};
-  std::string_view note = "";
+  std::string_view note = "", advice = "";
 
   constexpr bool consistent() const {
     Coefficient drifts = 0, kicks = 0;
     for (std::size_t i = 0; i < Length; ++i) drifts += drift[i], kicks += kick[i];
-    auto is_one = [](Coefficient x) { return x - 1 < 1e-17L && x - 1 > -1e-17L; };
+    auto is_one = [](Coefficient x) { return x - 1 <= 1e-18L && x - 1 >= -1e-18L; };
     return is_one(drifts) && is_one(kicks);
   }
   /// The step ends with a kick and the next begins with one at the same place: one evaluation serves both.

@@ -66,7 +66,7 @@ S zeros_like(const S& model) {
 template <State S, class F>
 [[gnu::always_inline]] inline void for_each_component(const S& model, F&& f) {
   if constexpr (fixed_size < S >> 0 && fixed_size<S> <= 8) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (f(I), ...); }
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) { (f(I), ...); }
     (std::make_index_sequence<fixed_size<S>>{});
   } else {
     const std::size_t count = size_of(model);

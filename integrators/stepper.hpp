@@ -62,6 +62,16 @@ concept MethodKind = requires(const M& m) {
 template <const auto& method>
 using KindOf = std::remove_cvref_t<decltype(method)>;
 
+/// The power of h that the error estimate goes with: one more than the lower of the two orders, unless the
+/// kind knows better.
+template <const auto& method>
+constexpr int error_order() {
+  if constexpr (requires { method.error_order(); })
+    return method.error_order();
+  else
+    return (method.embedded_order < method.order ? method.embedded_order : method.order) + 1;
+}
+
 template <const auto& method, class Problem>
 using StepperOf = typename KindOf<method>::template Stepper<method, Problem>;
 

@@ -144,6 +144,28 @@ Tape<T> record(const Family& family, std::size_t size) {
   return tape;
 }
 
+/// Does any output, or anything on the way to one, depend on t? Entry 0 of a recording is the time.
+template <class T>
+bool reads_time(const Tape<T>& tape) {
+  std::vector<char> reads(tape.entries.size(), 0);
+  for (std::size_t e = 0; e < reads.size(); ++e) {
+    const TapeEntry<T>& entry = tape.entries[e];
+    switch (entry.op) {
+      case TapeOp::time: reads[e] = 1; break;
+      case TapeOp::constant:
+      case TapeOp::state: break;
+      case TapeOp::add:
+      case TapeOp::subtract:
+      case TapeOp::multiply:
+      case TapeOp::divide: reads[e] = reads[entry.left] | reads[entry.right]; break;
+      default: reads[e] = reads[entry.left];
+    }
+  }
+  for (const std::size_t output : tape.outputs)
+    if (reads[output]) return true;
+  return false;
+}
+
 /// Taylor coefficients of the solution of y' = f(t, y) through (t, y), order by order: coefficient k of every
 /// entry needs only coefficients up to k (A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed. (SIAM,
 /// 2008), ch. 13). Cost grows with the square of the order. Everything is allocated in the constructor.

@@ -36,16 +36,32 @@ struct Tableau {
   std::vector<Coefficient> gamma;             // Rosenbrock: Gamma with its diagonal, a is alpha; else empty
 };
 
-/// Exactly one of the members but `tableau` is filled; which one says how the method acts on y' = lambda y.
+/// The same for Nystrom methods: `a` row by row; positions and velocities have weights of their own.
+struct NystromTableau {
+  std::size_t stages = 0;
+  std::vector<Coefficient> c, a, b_position, b_velocity, b_position_embedded, b_velocity_embedded;
+};
+
+/// One step on x'' = -stiffness x as a matrix on (x, h v): its entries are polynomials in h^2 stiffness,
+/// ascending powers; empty where a method does something else.
+struct OscillatorMatrix {
+  std::vector<Coefficient> xx, xv, vx, vv;
+};
+
+/// Exactly one of the members down to `exact_on_linear_part` is filled, or `blank_reason`; which one says how
+/// the method acts on y' = lambda y.
 struct Theory {
   std::vector<Coefficient> numerator, denominator;  // R(z) = numerator / denominator, ascending powers
   std::vector<Coefficient> rho, sigma;              // multistep: rho(w) - z sigma(w), ascending powers
   /// Multistep beyond rho - z sigma (PECE): the coefficient of z^k w^j is characteristic[k][j].
   std::vector<std::vector<Coefficient>> characteristic;
-  std::vector<SecondOrderMove> moves;  // acts on (x, v) as a 2x2 matrix
-  SecondOrderStep second_order_step;   // likewise, where its entries are no polynomials in h
-  bool exact_on_linear_part = false;   // exponential methods: R = exp(h L)
+  std::vector<SecondOrderMove> moves;      // acts on (x, v) as a 2x2 matrix
+  OscillatorMatrix oscillator;             // Nystrom methods: the same where there is no damping
+  SecondOrderStep second_order_step;       // the same where its entries are no polynomials in h
+  bool exact_on_linear_part = false;       // exponential methods: R = exp(h L)
+  Coefficient rounding_amplification = 1;  // of a step's own rounding: where values of large weight cancel
   Tableau tableau;                     // what numerator and denominator come from, where they come from one
+  NystromTableau nystrom;              // what oscillator comes from
   std::string_view blank_reason = "";  // why nothing can be said, where nothing can
 };
 
@@ -88,6 +104,40 @@ Theory runge_kutta_theory(const std::array<std::array<Coefficient, S>, S>& a,
   for (auto* polynomial : {&theory.numerator, &theory.denominator})
     while (polynomial->size() > 1 && polynomial->back() < 1e-16L && polynomial->back() > -1e-16L)
       polynomial->pop_back();
+  return theory;
+}
+
+/// Stage positions on the oscillator are x p_i + (h v) r_i with polynomials in q = h^2 stiffness: p_i = 1 - q
+/// sum_j a_ij p_j, r_i = c_i - q sum_j a_ij r_j.
+template <class Method>
+Theory nystrom_theory(const Method& m) {
+  constexpr std::size_t S = Method::stages;
+  using Polynomial = std::vector<Coefficient>;
+  const auto combined = [&](Coefficient constant, const auto& weights, const std::vector<Polynomial>& of) {
+    Polynomial sum(S + 1, 0);
+    sum[0] = constant;
+    for (std::size_t j = 0; j < of.size(); ++j)
+      for (std::size_t k = 0; k < S; ++k) sum[k + 1] -= weights[j] * of[j][k];
+    return sum;
+  };
+  std::vector<Polynomial> p, r;
+  for (std::size_t i = 0; i < S; ++i) {
+    auto next_p = combined(1, m.a[i], p), next_r = combined(m.c[i], m.a[i], r);
+    p.push_back(std::move(next_p)), r.push_back(std::move(next_r));
+  }
+  Theory theory;
+  theory.oscillator = {combined(1, m.b_position, p), combined(1, m.b_position, r),
+                       combined(0, m.b_velocity, p), combined(1, m.b_velocity, r)};
+  auto& t = theory.nystrom;
+  t.stages = S;
+  for (const auto& row : m.a) t.a.insert(t.a.end(), row.begin(), row.end());
+  t.c.assign(m.c.begin(), m.c.end());
+  t.b_position.assign(m.b_position.begin(), m.b_position.end());
+  t.b_velocity.assign(m.b_velocity.begin(), m.b_velocity.end());
+  if (m.embedded_order > 0) {
+    t.b_position_embedded.assign(m.b_position_embedded.begin(), m.b_position_embedded.end());
+    t.b_velocity_embedded.assign(m.b_velocity_embedded.begin(), m.b_velocity_embedded.end());
+  }
   return theory;
 }
 

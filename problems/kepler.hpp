@@ -35,6 +35,8 @@ struct Kepler {
   }
   static constexpr std::array presets{
       Preset{"kepler_e00", "e=0", "a circle"}, Preset{"kepler_e02", "e=0.2", "a mild ellipse"},
+      Preset{"kepler_e05", "e=0.5,t_end=63",
+             "ten revolutions: errors of the period add up, for cost against error"},
       Preset{"kepler_e06", "e=0.6", "speeds 4 to 1; the end is no multiple of the period, 2 pi"},
       Preset{"kepler_e09", "e=0.9", "speeds 19 to 1: fixed steps waste most of their work"}};
 

@@ -10,6 +10,14 @@ namespace odemark {
 /// Every contestant of every provider found when the suite was built.
 std::vector<AnyMethod> contestants();
 
+/// A contestant with one family's right-hand side inlined, under error control, where its library allows
+/// that.
+struct InlinedContestant {
+  std::string_view family, method;
+  RunReport (*solve)(const void* values, const Control&, double t0, double t1, double* y);
+};
+std::vector<InlinedContestant> inlined_contestants();
+
 struct ProviderInfo {
   std::string_view name;  // AnyMethod::provider
   std::string version;

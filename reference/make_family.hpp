@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <exception>
 
 #include "integrators/dual.hpp"
 #include "reference/any_problem.hpp"
@@ -61,6 +62,33 @@ void dual_jacobian(const F& family, T t, const T* y, MatrixView<T> j) {
     for (std::size_t column = 0; column < F::size; ++column) j(row, column) = slope[row].partial[column];
 }
 
+/// df/dt by dual numbers.
+template <class T, class F>
+void dual_time_derivative(const F& family, T t, const T* y, T* dfdt) {
+  using Number = Dual<T, 1>;
+  std::array<Number, F::size> state, slope;
+  for (std::size_t i = 0; i < F::size; ++i) state[i] = Number(y[i]);
+  family.rhs(Number::variable(t, 0), state.data(), slope.data());
+  for (std::size_t i = 0; i < F::size; ++i) dfdt[i] = slope[i].partial[0];
+}
+
+/// Known not to depend on t: what can be recorded has no branches, so one recording tells for all times.
+template <class F>
+bool is_autonomous_family() {
+  if constexpr (requires(const F& f) { f.switch_times(); }) {
+    return false;
+  } else {
+    static const bool known = [] {
+      try {
+        return !reads_time(record<double>(F{}, F::size));
+      } catch (const std::exception&) {
+        return false;  // a force that throws while it is recorded
+      }
+    }();
+    return known;
+  }
+}
+
 template <class T, class F>
 ErasedSystem<T> erase(const F& family) {
   ErasedSystem<T> s;
@@ -87,6 +115,10 @@ ErasedSystem<T> erase(const F& family) {
       static_cast<const F*>(p)->jacobian(t, y, j);
     else
       dual_jacobian(*static_cast<const F*>(p), t, y, j);
+  };
+  s.autonomous = is_autonomous_family<F>();
+  s.time_derivative_call = [](const void* p, T t, const T* y, T* dfdt) {
+    dual_time_derivative(*static_cast<const F*>(p), t, y, dfdt);
   };
   if constexpr (HasLinear<F>)
     s.linear_part_call = [](const void* p, T* column_major) {

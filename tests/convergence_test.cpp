@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 
+#include "integrators/linear_stability_parts.hpp"
 #include "reports/observed_order.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
@@ -18,33 +19,35 @@ namespace {
 struct Ground {
   AnyProblem problem;
   std::vector<long double> end;
-  bool nonlinear, driven, turning = false;  // `turning`: only for methods that need a rigid body
+  bool nonlinear, driven, damped;
+  bool turning = false;  // only for methods that need a rigid body
   bool torque_depends_on_rate = false;
 };
 
 /// High orders need long intervals: on short ones two rungs of the ladder lead from nothing to round-off.
 std::vector<Ground> make_grounds(bool long_ones) {
   std::vector<Ground> made;
-  const auto add = [&](auto make, double short_end, double long_end, bool nonlinear, bool driven) {
+  const auto add = [&](auto make, double short_end, double long_end, bool nonlinear, bool driven,
+                       bool damped) {
     AnyProblem problem = make(fmt::format("t_end={}", long_ones ? long_end : short_end));
     auto end = fine_end(problem, 1024);
-    made.push_back({std::move(problem), std::move(end), nonlinear, driven});
+    made.push_back({std::move(problem), std::move(end), nonlinear, driven, damped});
   };
   const auto suite = [](const char* id, const char* more = "") {
     return [=](const std::string& settings) { return suite_problem(id, settings + more); };
   };
-  add([](const std::string& s) { return probe::problem<probe::Driven>(s); }, 2, 8, true, true);
-  add([](const std::string& s) { return probe::problem<probe::DrivenDamped>(s); }, 2, 8, true, true);
-  add(suite("pendulum"), 1.5, 12, true, false);
-  add(suite("kepler_e02"), 2, 24, true, false);
-  add(suite("van_der_pol_mu1"), 2, 8, true, false);
-  add(suite("lorenz63"), 0.5, 3, true, false);
-  add(suite("free_rigid_body"), 1.5, 12, true, false);
-  add(suite("stiff_spring", ",k=4,c=0.5"), 2, 16, false, true);
+  add([](const std::string& s) { return probe::problem<probe::Driven>(s); }, 2, 8, true, true, false);
+  add([](const std::string& s) { return probe::problem<probe::DrivenDamped>(s); }, 2, 8, true, true, true);
+  add(suite("pendulum"), 1.5, 12, true, false, false);
+  add(suite("kepler_e02"), 2, 24, true, false, false);
+  add(suite("van_der_pol_mu1"), 2, 8, true, false, true);
+  add(suite("lorenz63"), 0.5, 3, true, false, true);
+  add(suite("free_rigid_body"), 1.5, 12, true, false, false);
+  add(suite("stiff_spring", ",k=4,c=0.5"), 2, 16, false, true, true);
   const std::size_t first_body = made.size();
-  add([](const std::string& s) { return probe::problem<probe::DrivenTop>(s); }, 2, 8, true, true);
-  add(suite("free_rigid_body_tumbling"), 2, 8, true, false);
-  add([](const std::string& s) { return probe::problem<probe::DampedTop>(s); }, 2, 8, true, true);
+  add([](const std::string& s) { return probe::problem<probe::DrivenTop>(s); }, 2, 8, true, true, false);
+  add(suite("free_rigid_body_tumbling"), 2, 8, true, false, false);
+  add([](const std::string& s) { return probe::problem<probe::DampedTop>(s); }, 2, 8, true, true, true);
   made.back().torque_depends_on_rate = true;
   for (std::size_t i = first_body; i < made.size(); ++i) made[i].turning = true;
   return made;
@@ -98,15 +101,30 @@ ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
   return observed_order(rows, options);
 }
 
+/// A second root of rho on the unit circle: on every decay it grows, the faster the shorter the decay, and
+/// what it makes of the rounding and of the start is no error term with an order.
+bool only_weakly_stable(const AnyMethod& method) {
+  const Theory theory = method.theory();
+  if (!detail::is_multistep(theory)) return false;
+  const auto rho = detail::characteristic_of(theory)[0];
+  int on_the_circle = 0;
+  for (const auto& w : polynomial_roots({rho.begin(), rho.end()})) on_the_circle += std::abs(w) > 1 - 1e-6L;
+  return on_the_circle > 1;
+}
+
 class Convergence : public testing::TestWithParam<AnyMethod> {};
 
 TEST_P(Convergence, ClaimedOrderIsObserved) {
   const AnyMethod& method = GetParam();
   int measured = 0, holds = 0, nonlinear = 0, driven = 0;
-  const bool high = method.order > 6;
-  for (const auto& ground : grounds(high)) {
-    if (!can_run<double>(method, ground.problem)) continue;
-    if (ground.turning && !(method.needs & Ability::rotation)) continue;
+  const bool proved_pair = method.order > 6 && method.theory().nystrom.stages > 0;
+  // the expansion of linearly implicit steps in h, not h^2, comes to its leading term later than others
+  const int low = method.kind == "linearly implicit extrapolation" ? 5 : 6;
+  for (std::size_t n = 0; n < grounds().size(); ++n) {
+    if (!can_run<double>(method, grounds()[n].problem)) continue;
+    if (grounds()[n].turning && !(method.needs & Ability::rotation)) continue;
+    const bool high = expected_order(method, grounds()[n].problem) > low;
+    const Ground& ground = grounds(high)[n];
     const ObservedOrder order = high ? measure<long double>(method, ground) : measure<double>(method, ground);
     std::printf("%-36s %-28s claimed %2d observed %6.3f +- %.3f (%d points) %s\n",
                 std::string(method.id).c_str(), ground.problem.id.c_str(), order.claimed,
@@ -121,7 +139,16 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
       }
       continue;
     }
+    if (ground.damped && only_weakly_stable(method)) continue;
     ++measured, nonlinear += ground.nonlinear, driven += ground.driven;
+    // Its terms of that order are made so small that those of the next are seen beside them: exactly this
+    // order is proved by trees (order_conditions_test), and what is seen must come near it from either side.
+    if (proved_pair) {
+      ASSERT_TRUE(order.slope) << ground.problem.id << ": " << order.reason;
+      EXPECT_GE(*order.slope, 0.93 * method.order) << ground.problem.id;
+      EXPECT_LE(*order.slope, method.order + 1) << ground.problem.id;
+      continue;
+    }
     holds += order.verdict == OrderVerdict::holds;
     // better than claimed happens where an error term vanishes; worse, or not to be told, must not
     EXPECT_TRUE(order.verdict == OrderVerdict::holds || order.verdict == OrderVerdict::exceeds)
@@ -131,6 +158,7 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
   EXPECT_GE(measured, 3);
   EXPECT_GE(nonlinear, 1);
   EXPECT_GE(driven, 1);
+  if (proved_pair) return;
   EXPECT_GE(2 * holds, measured) << "the claim is too low";
 }
 
@@ -156,7 +184,7 @@ TEST(Yardstick, TaylorOfTwentyOrdersMeetsTheClosedForm) {
 /// limits.
 TEST(ErrorControl, ErrorFollowsTolerance) {
   for (const auto& method : suite_methods()) {
-    if (!method.takes_error_control || !method.takes_fixed_steps) continue;
+    if (!method.takes_error_control || method.kind == "chapter listing") continue;  // its faults are kept
     SCOPED_TRACE(method.id);
     const auto& ground = grounds()[2];
     if (!can_run<double>(method, ground.problem)) continue;
@@ -169,7 +197,7 @@ TEST(ErrorControl, ErrorFollowsTolerance) {
                  fine_error = scaled_gap(ground.problem, fine.y, ground.end);
     EXPECT_LT(fine_error, coarse_error);
     // error per step: h ~ tolerance^(1/k), and 1/h steps, each off by the tolerance
-    const double k = method.embedded_order + 1, power = (k - 1) / k;
+    const double k = std::min(method.order, method.embedded_order) + 1, power = (k - 1) / k;
     EXPECT_LT(fine_error, 100 * std::pow(tight, power));
     EXPECT_LT(coarse_error, 100 * std::pow(loose, power));
   }

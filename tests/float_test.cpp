@@ -51,11 +51,17 @@ std::vector<float> strict_end(const F& family, int steps) {
   return end;
 }
 
-/// Implicit and exponential methods hand their matrices to linear algebra that is compiled for real floats.
+/// Implicit and exponential methods hand their matrices to linear algebra that is compiled for real floats;
+/// kinds that choose their own steps have no step of a given size to compare.
 template <class Kind>
 concept LeavesLinearAlgebraToOthers =
     (Kind::needs & (Ability::linear_part | Ability::jacobian)) != 0 ||
-    Kind::kind_name == "diagonally implicit Runge-Kutta" || Kind::kind_name == "chapter listing";
+    Kind::kind_name == "diagonally implicit Runge-Kutta" || Kind::kind_name == "average vector field" ||
+    Kind::kind_name == "implicit multistep" || Kind::kind_name == "linearly implicit extrapolation" ||
+    Kind::kind_name == "Rosenbrock" || Kind::kind_name == "exponential" ||
+    Kind::kind_name == "fully implicit Runge-Kutta" || requires {
+  Kind::takes_fixed_steps;
+};
 
 template <const auto& method, class F>
 int compare(const F& family, const AnyProblem& problem) {

@@ -1,12 +1,14 @@
-// Rooted trees are counted right, and every tableau has exactly the orders it claims.
+// Trees are counted right, and every tableau and every splitting has exactly the orders it claims.
 #include "integrators/order_conditions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "integrators/catalogue.hpp"
+#include "tests/support/runs.hpp"
 
 namespace odemark {
 namespace {
@@ -16,13 +18,18 @@ void for_each_method(MethodList<methods...>, F&& f) {
   (f(methods), ...);
 }
 
+/// The coefficients of a method as an array of rows: its own, or what its low-storage form amounts to.
+const auto& tableau_of(const auto& method) requires requires { method.a, method.b, method.stages; }
+{ return method; }
+auto tableau_of(const auto& method) requires requires { method.tableau().a; }
+{ return method.tableau(); }
 template <class M>
 concept HasTableau = requires(const M& m) {
-  m.a, m.b, M::stages;
+  tableau_of(m);
 };
 
 TEST(OrderConditions, TreesAreCountedRight) {
-  const int expected[] = {1, 1, 2, 4, 9, 20, 48, 115, 286, 719};  // OEIS A000081
+  const int expected[] = {1, 1, 2, 4, 9, 20, 48, 115, 286, 719, 1842};  // OEIS A000081
   for (int order = 1; order <= highest_tree_order; ++order) {
     auto tree = RootedTree::tallest(order);
     int count = 1;
@@ -38,7 +45,8 @@ TEST(OrderConditions, EveryTableauHasExactlyItsOrder) {
     if constexpr (HasTableau<M>) {
       SCOPED_TRACE(method.id);
       ++tableaux;
-      EXPECT_EQ(algebraic_order(method.a, method.b, method.order + 1), method.order);
+      const auto& tableau = tableau_of(method);
+      EXPECT_EQ(algebraic_order(tableau.a, tableau.b, method.order + 1), method.order);
       if constexpr (requires { method.b_embedded; }) {
         if (method.embedded_order > 0) {
           EXPECT_EQ(algebraic_order(method.a, method.b_embedded, method.embedded_order + 1),
@@ -46,15 +54,23 @@ TEST(OrderConditions, EveryTableauHasExactlyItsOrder) {
           EXPECT_NE(method.b, method.b_embedded);
         }
       }
+      if constexpr (requires { method.b_second_embedded; }) {
+        if (method.second_embedded_order > 0) {
+          EXPECT_EQ(algebraic_order(method.a, method.b_second_embedded, method.second_embedded_order + 1),
+                    method.second_embedded_order);
+          EXPECT_LT(method.second_embedded_order, method.embedded_order);
+        }
+      }
     }
   });
-  EXPECT_GE(tableaux, 12);
+  EXPECT_GE(tableaux, 50);
 }
 
 TEST(OrderConditions, WeightsSumToOneInEveryNumberType) {
   for_each_method(SuiteMethods{}, [](const auto& method) {
     if constexpr (HasTableau<std::remove_cvref_t<decltype(method)>>) {
-      const auto sum = std::accumulate(method.b.begin(), method.b.end(), Coefficient(0));
+      const auto b = tableau_of(method).b;
+      const auto sum = std::accumulate(b.begin(), b.end(), Coefficient(0));
       EXPECT_NEAR(double(sum - 1), 0, 1e-18) << method.id;
     }
   });
@@ -112,6 +128,99 @@ TEST(OrderConditions, TheTsitourasEmbeddingIsThePublishedOne) {
   EXPECT_LT(principal_error_norm(tsitouras54.a, tsitouras54.b, 5), 2e-4);
 }
 
+template <class M>
+concept IsSplitting = requires(const M& m) {
+  m.drift, m.kick;
+};
+
+TEST(OrderConditions, SpecialNystromTreesAreCountedRight) {
+  const int expected[] = {1, 1, 2, 3, 6, 10, 20, 36, 72, 137, 275, 541, 1098};  // HNW I, II.14, table 14.3
+  const auto trees = [](int highest) { return NystromTrees<13>(highest); }(std::size(expected));
+  std::array<int, 14> count{};
+  for (std::size_t k = 0; k < trees.count; ++k) ++count[std::size_t(trees.order[k])];
+  for (std::size_t n = 1; n <= 13; ++n) EXPECT_EQ(count[n], expected[n - 1]) << n;
+  EXPECT_EQ(trees.count, trees.most);
+  EXPECT_LE(trees.used, trees.most_children);
+}
+
+TEST(OrderConditions, EverySplittingHasExactlyItsOrder) {
+  std::map<std::string_view, int> separable;
+  for_each_method(SuiteMethods{}, [&](const auto& method) {
+    if constexpr (IsSplitting<std::remove_cvref_t<decltype(method)>>) {
+      SCOPED_TRACE(method.id);
+      EXPECT_EQ(splitting_order(method, method.order + 1), method.order);
+      separable[method.id] = separable_order(method, method.order + 1);
+      Coefficient drifts = 0, kicks = 0;
+      for (const Coefficient w : method.drift) drifts += w;
+      for (const Coefficient w : method.kick) kicks += w;
+      EXPECT_LE(std::abs(drifts - 1), 1e-18L);
+      EXPECT_LE(std::abs(kicks - 1), 1e-18L);
+    }
+  });
+  EXPECT_GE(separable.size(), 21u);
+  // what holds for quadratic kinetic energy only, by two independent proofs; all others hold for any split
+  for (const auto& [id, order] : separable) {
+    const std::map<std::string_view, int> lower{
+        {"mclachlan_atela4", 3}, {"calvo_sanz_serna4", 3}, {"blanes_moan_rkn6", 4}};
+    const auto found = lower.find(id);
+    EXPECT_EQ(order, found == lower.end() ? suite_method(id).order : found->second) << id;
+  }
+}
+
+TEST(OrderConditions, EveryNystromMethodHasExactlyItsOrders) {
+  int methods = 0;
+  for_each_method(SuiteMethods{}, [&](const auto& method) {
+    if constexpr (requires { method.b_position_embedded; }) {
+      SCOPED_TRACE(method.id);
+      ++methods;
+      EXPECT_TRUE(orders_hold(method));
+    }
+  });
+  EXPECT_GE(methods, 5);
+}
+
+/// Changing the last digits that a double would not hold is noticed, and swapping what belongs to x and to v.
+TEST(OrderConditions, OneWrongDigitOfASplittingIsSeen) {
+  for (const Coefficient slip : {1e-3L, 1e-8L, 1e-13L, 2e-16L}) {
+    SCOPED_TRACE(double(slip));
+    // keeps the sums, so that only the order conditions can tell
+    const auto spoil = [&](auto m) {
+      m.kick[1] += slip, m.kick[2] -= slip;
+      return m;
+    };
+    EXPECT_TRUE(spoil(blanes_moan4).consistent());
+    EXPECT_EQ(splitting_order(spoil(blanes_moan4), 5), slip > 1e-15L ? 1 : 2);
+    EXPECT_LT(splitting_order(spoil(kahan_li6), 7), 3);
+    EXPECT_LT(splitting_order(spoil(yoshida8), 9), 3);
+    EXPECT_LT(separable_order(spoil(kahan_li6), 7), 3);
+    auto lost = pefrl;
+    lost.drift[2] += slip;
+    EXPECT_EQ(splitting_order(lost, 5), 0);
+    EXPECT_FALSE(orders_hold(lost));
+  }
+  // the coefficients as printed, to 15 digits, have a floor that these proofs see
+  auto printed = blanes_moan6;
+  printed.kick = mirrored<11, 10>(std::array<Coefficient, 4>{0.148816447901042L, -0.132385865767784L,
+                                                             0.067307604692185L, 0.432666402578175L});
+  EXPECT_TRUE(printed.consistent());
+  EXPECT_LT(splitting_order(printed, 7), 6);
+}
+
+TEST(OrderConditions, OneWrongDigitOfANystromMethodIsSeen) {
+  auto wrong = rkn_dormand_prince64;
+  wrong.a[4][2] = 65568.0L / 281250;
+  EXPECT_FALSE(orders_hold(wrong));
+  wrong = rkn_dormand_prince64;
+  std::swap(wrong.b_position, wrong.b_velocity);
+  EXPECT_FALSE(orders_hold(wrong));
+  auto estimate = rkn_dormand_prince86;
+  estimate.b_velocity_embedded[8] = -3.0L / 20;
+  EXPECT_FALSE(orders_hold(estimate));
+  auto misplaced = rkn_dormand_prince86;
+  std::swap(misplaced.c[4], misplaced.c[5]);
+  EXPECT_FALSE(orders_hold(misplaced));
+}
+
 TEST(OrderConditions, OneWrongDigitIsSeen) {
   auto wrong = dormand_prince54;
   wrong.a[5][3] = 48.0L / 176;
@@ -119,6 +228,19 @@ TEST(OrderConditions, OneWrongDigitIsSeen) {
   auto embedded = dormand_prince54;
   embedded.b_embedded = embedded.b;
   EXPECT_FALSE(orders_hold(embedded)) << "an embedding of higher order than claimed";
+  // the highest orders, which no compiler proves
+  auto last_digits = verner98;
+  last_digits.a[13][9] += 1e-14L;
+  EXPECT_LT(algebraic_order(last_digits.a, last_digits.b, 9), 9);
+  auto swapped = feagin108;
+  std::swap(swapped.b[8], swapped.b[9]);
+  EXPECT_LT(algebraic_order(swapped.a, swapped.b, 10), 10);
+  auto second = dop853;
+  second.b_second_embedded[8] += 1e-15L;
+  EXPECT_EQ(algebraic_order(second.a, second.b_second_embedded, 3), 0);
+  auto registers = carpenter_kennedy4;
+  registers.carry[2] += 1e-14L;
+  EXPECT_FALSE(orders_hold(registers.tableau()));
   auto claim = rk4;
   claim.order = 3;
   EXPECT_FALSE(orders_hold(claim)) << "a claim below the truth is wrong too";

@@ -28,7 +28,9 @@ const Registry& registry() {
     for (auto method :
          {erase_method<planted::rk4_wrong_coefficient>(), erase_method<planted::rk4_integer_division>(),
           erase_method<planted::trapezoid_of_old_slopes>(), erase_method<planted::trapezoid_of_new_slopes>(),
-          erase_method<planted::adams_copied_start>()})
+          erase_method<planted::adams_copied_start>(), erase_method<planted::adams_bashforth_poor_start>(),
+          erase_method<planted::adams_bashforth_moulton_poor_start>(),
+          erase_method<planted::bdf_poor_start>()})
       made.methods.push_back(std::move(method));
     return made;
   }();
@@ -91,9 +93,12 @@ TEST_P(Right, PassesBoth) {
 
 INSTANTIATE_TEST_SUITE_P(Planted, Faulty,
                          testing::Values("rk4_wrong_coefficient", "rk4_integer_division",
-                                         "trapezoid_of_old_slopes", "adams_copied_start"));
+                                         "trapezoid_of_old_slopes", "adams_copied_start",
+                                         "adams_bashforth_poor_start", "adams_bashforth_moulton_poor_start",
+                                         "bdf_poor_start"));
 INSTANTIATE_TEST_SUITE_P(Suite, Right,
-                         testing::Values("rk4", "heun", "trapezoid_of_new_slopes", "adams_bashforth3"));
+                         testing::Values("rk4", "heun", "trapezoid_of_new_slopes", "adams_bashforth3",
+                                         "adams_bashforth4", "adams_bashforth_moulton44", "bdf4"));
 
 }  // namespace
 }  // namespace odemark

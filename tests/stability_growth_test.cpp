@@ -8,12 +8,16 @@
 
 #include "bench/stability_region.hpp"
 #include "integrators/erase_method.hpp"
+#include "integrators/linear_stability_parts.hpp"
 #include "integrators/methods/adams_bashforth2.hpp"
 #include "integrators/methods/adams_bashforth3.hpp"
+#include "integrators/methods/adams_bashforth_moulton34.hpp"
+#include "integrators/methods/bdf4.hpp"
 #include "integrators/methods/dormand_prince54.hpp"
 #include "integrators/methods/explicit_euler.hpp"
 #include "integrators/methods/heun.hpp"
 #include "integrators/methods/implicit_euler.hpp"
+#include "integrators/methods/leapfrog.hpp"
 #include "integrators/methods/rk4.hpp"
 #include "integrators/methods/stormer_verlet.hpp"
 #include "integrators/methods/yoshida4.hpp"
@@ -86,6 +90,9 @@ TEST(StabilityGrowth, SteppingAgreesWithTheMatrix) {
     compare(method("adams_bashforth2"), oscillator, h, growth_by_stepping<adams_bashforth2>(oscillator, h));
     compare(method("adams_bashforth3"), spring2, h, growth_by_stepping<adams_bashforth3>(spring2, h));
     compare(method("rk4"), spring2, 2 * h, growth_by_stepping<rk4>(spring2, 2 * h));
+    compare(method("adams_bashforth_moulton34"), spring2, h,
+            growth_by_stepping<adams_bashforth_moulton34>(spring2, h));
+    compare(method("bdf4"), oscillator, h, growth_by_stepping<bdf4>(oscillator, h));
     compare(method("dormand_prince54"), oscillator, h, growth_by_stepping<dormand_prince54>(oscillator, h));
     compare(method("stormer_verlet"), spring2, 2 * h, growth_by_stepping<stormer_verlet>(spring2, 2 * h));
     compare(method("yoshida4"), oscillator, 2 * h, growth_by_stepping<yoshida4>(oscillator, 2 * h));
@@ -124,8 +131,8 @@ void expect_identity(const AnyMethod& m) {
       }
       if (std::abs(denominator) < 0.1L) continue;  // near a pole everything is ill-conditioned
       const WideComplex r = numerator / denominator;
-      const Coefficient allowed =
-          40 * std::numeric_limits<T>::epsilon() * (size_p + std::abs(r) * size_q) / std::abs(denominator);
+      const Coefficient allowed = 40 * theory.rounding_amplification * std::numeric_limits<T>::epsilon() *
+                                  (size_p + std::abs(r) * size_q) / std::abs(denominator);
       EXPECT_LE(double(std::abs(WideComplex(step.columns[0], step.columns[1]) - r)), double(allowed))
           << m.id << " at " << double(z.real()) << " + " << double(z.imag()) << " i";
     }
@@ -139,6 +146,73 @@ TEST(StabilityIdentity, OneStepOfEverySteppersIsItsStabilityFunction) {
     compared += !m.theory().numerator.empty();
   }
   EXPECT_GT(compared, 30);
+}
+
+/// The same for multistep methods: the powers of one step as a matrix have the traces that the roots of the
+/// characteristic polynomial give them, to the rounding of their terms.
+template <class T>
+void expect_multistep_identity(const AnyMethod& m) {
+  const Theory theory = m.theory();
+  const auto real = stability_limit(theory, real_axis());
+  const double reach = real.verdict == Stability::limit ? 1.2 * double(real.limit) : 2;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = (i + 0.5) * std::numbers::pi / 6;
+    const auto p = problem("dahlquist", "lambda_re=" + std::to_string(std::cos(angle)) +
+                                            ",lambda_im=" + std::to_string(std::sin(angle)));
+    const auto& system = p.homogeneous->system<T>();
+    std::vector<T> jacobian(4), zero(2, T(0));
+    system.jacobian(T(0), zero, MatrixView<T>{jacobian.data(), 2});
+    for (const double part : {0.03, 0.3, 0.7, 1.0}) {
+      const T h = T(part * reach);
+      const auto step = m.runs<T>().transition(system, h);
+      ASSERT_TRUE(step.solved) << m.id;
+      const WideComplex z = WideComplex(jacobian[0], jacobian[1]) * Coefficient(h);
+      const auto c = detail::characteristic_at(theory, z);
+      if (std::abs(c.back()) < 0.2L) continue;  // near a pole everything is ill-conditioned
+      const auto roots = polynomial_roots(c);
+      const std::size_t n = step.size;
+      const std::vector<Coefficient> one(step.columns.begin(), step.columns.end());
+      std::vector<Coefficient> power(one), sizes(one.size());
+      for (std::size_t k = 0; k < one.size(); ++k) sizes[k] = std::abs(one[k]);
+      std::vector<Coefficient> absolute(sizes), magnitude(sizes);
+      for (int exponent = 1; exponent <= int(roots.size()) + 1; ++exponent) {
+        Coefficient trace = 0, terms = 0, expected = 0;
+        for (std::size_t k = 0; k < n; ++k) trace += power[k * n + k], terms += magnitude[k * n + k];
+        for (const auto& w : roots) expected += 2 * std::pow(w, exponent).real();
+        EXPECT_NEAR(double(trace), double(expected),
+                    100 * exponent * double(std::numeric_limits<T>::epsilon()) * (1 + double(terms)))
+            << m.id << " at " << double(z.real()) << " + " << double(z.imag()) << " i, power " << exponent;
+        std::vector<Coefficient> next(n * n, 0), next_size(n * n, 0);
+        for (std::size_t col = 0; col < n; ++col)
+          for (std::size_t k = 0; k < n; ++k)
+            for (std::size_t r = 0; r < n; ++r) {
+              next[col * n + r] += one[k * n + r] * power[col * n + k];
+              next_size[col * n + r] += absolute[k * n + r] * magnitude[col * n + k];
+            }
+        power = next, magnitude = next_size;
+      }
+    }
+  }
+}
+
+TEST(StabilityIdentity, OneStepOfEveryMultistepMethodHasTheRootsOfItsPolynomial) {
+  int compared = 0;
+  for (const auto& m : suite_methods()) {
+    if (!detail::is_multistep(m.theory())) continue;
+    expect_multistep_identity<double>(m), expect_multistep_identity<float>(m);
+    ++compared;
+  }
+  EXPECT_GE(compared, 20);
+}
+
+/// The parasitic root of leapfrog grows from nothing but rounding: slowly, and on every damped problem.
+TEST(StabilityGrowth, LeapfrogOnADecayGrowsByItsSecondRoot) {
+  const auto decay = problem("dahlquist", "lambda_re=-1,lambda_im=0");
+  for (const double h : {0.05, 0.2, 0.7}) {
+    const StepProbe probe(method("leapfrog"), decay.homogeneous->system<double>());
+    EXPECT_NEAR(double(probe(h).growth), std::asinh(h), 1e-12) << h;
+    EXPECT_NEAR(growth_by_stepping<leapfrog>(decay, h), std::asinh(h), 1e-6) << h;
+  }
 }
 
 // --- regions ---
@@ -183,6 +257,17 @@ TEST(StabilityRegions, MultistepBoundariesLieOnTheLocus) {
     EXPECT_LT(nearest, 0.02);
   }
   EXPECT_FALSE(stability_region("stormer_verlet", stormer_verlet.theory()).reason.empty());
+}
+
+TEST(StabilityRegions, APredictorCorrectorHasTwoBranches) {
+  const auto region = stability_region("adams_bashforth_moulton34", adams_bashforth_moulton34.theory());
+  ASSERT_GE(region.boundaries.size(), 1u);
+  for (const auto& z : region.boundaries[0]) {
+    double nearest = 1;
+    for (const auto& curve : region.root_locus)
+      for (const auto& l : curve) nearest = std::min(nearest, std::abs(z - l));
+    EXPECT_LT(nearest, 0.05);
+  }
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ set(layers integrators problems reference reference/contestants bench bench/data
 set(standard "^[a-z_]+$")
 
 set(integrators_OWN "^integrators/")
-set(integrators_CPP_SYSTEM "^Eigen/")  # heavy algebra is compiled once
+# heavy algebra is compiled once; orders of fractions are proved in integers of any length
+set(integrators_CPP_SYSTEM "^Eigen/" "^boost/multiprecision/")
 
 set(problems_OWN "^problems/")  # mathematics: a problem satisfies the integrators' concepts without naming them
 

@@ -99,7 +99,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       ->option_text("SETTINGS");
   run_app.add_option("--dt", dt_text, "step sizes: 1/30,1/60 or start:ratio:count")->option_text("LADDER");
   run_app.add_option("--tol", tol_text, "tolerances: 1e-3,1e-6 or start:ratio:count")->option_text("LADDER");
-  run_app.add_option("--filter", run.plan.filter, "step-size filter: elementary, pi or h211b")
+  run_app.add_option("--filter", run.plan.filter, "step-size filter: dead_band, elementary, pi or h211b")
       ->option_text("NAME");
   run_app.add_option("--scalar", run.plan.scalars, "float, double, long_double, with commas")
       ->option_text("LIST");
@@ -117,8 +117,8 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   add_common(run_app, run);
 
   ReportOptions report;
-  auto& report_app =
-      *app.add_subcommand("report", "report.html, chapter.html, SVG, Markdown and CSV from results.jsonl");
+  auto& report_app = *app.add_subcommand(
+      "report", "report.html, chapter.html, methods.html, SVG, Markdown and CSV from results.jsonl");
   report_app.add_option("-o,--output", report.output, "folder of results.jsonl and of the report")
       ->option_text("DIR");
   report_app.add_option("--title", report.title, "title of the report")->option_text("TEXT");
@@ -166,6 +166,15 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   list_app.add_flag("--problems", list.problems, "problems only");
   list_app.add_flag("--suites", list.suites, "suites only");
   add_format(list_app, list.format, {"table", "json", "names"});
+
+  MethodsCommandOptions methods;
+  auto& methods_app = *app.add_subcommand(
+      "methods", "facts of methods: order, intervals, kinds of stability, proved or measured");
+  methods_app.add_option("names", methods.names, "ids; * and ? match; default: all of the suite")
+      ->option_text("NAME...");
+  methods_app.add_flag("--measured", methods.measured, "measure them on the compiled steps too");
+  add_format(methods_app, methods.format, {"table", "json"});
+  add_common(methods_app, methods);
 
   StabilityCommandOptions stability;
   std::string stability_dt;
@@ -232,6 +241,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
     if (app.got_subcommand("approve")) return approve_command(approve);
     if (app.got_subcommand("compare")) return compare_command(compare);
     if (app.got_subcommand("list")) return list_command(registry, list);
+    if (app.got_subcommand("methods")) return methods_command(registry, methods);
     if (app.got_subcommand("stability")) return stability_command(registry, stability);
     if (app.got_subcommand("truth")) return truth_command(registry, truth);
     if (app.got_subcommand("doctor")) return doctor_command(doctor);

@@ -60,6 +60,12 @@ struct ListOptions {
   std::string format = "table";
 };
 
+struct MethodsCommandOptions : CommonOptions {
+  std::vector<std::string> names;
+  std::string format = "table";
+  bool measured = false;
+};
+
 struct StabilityCommandOptions : CommonOptions {
   std::string methods, problem, settings, format = "table";
   double dt = 0;  // 0: limits; else a verdict on this dt
@@ -76,6 +82,7 @@ int check_command(const CheckCommandOptions&);
 int approve_command(const ApproveCommandOptions&);
 int compare_command(const CompareCommandOptions&);
 int list_command(const Registry&, const ListOptions&);
+int methods_command(const Registry&, const MethodsCommandOptions&);
 int stability_command(const Registry&, const StabilityCommandOptions&);
 int truth_command(const Registry&, const TruthRequest&);
 int bench_command(const std::vector<std::string>& arguments);

@@ -6,8 +6,10 @@
 #include "bench/chapter.hpp"
 #include "bench/cli/commands.hpp"
 #include "bench/cli/files.hpp"
+#include "bench/cli/progress.hpp"
 #include "bench/cli/report_files.hpp"
 #include "bench/json_line.hpp"
+#include "bench/method_sheets.hpp"
 #include "bench/pictures.hpp"
 
 namespace odemark {
@@ -16,8 +18,14 @@ int report_command(const Registry& registry, const ReportOptions& options) {
   Results results = read_results((std::filesystem::path(options.output) / "results.jsonl").string());
   require_writable_folder(options.output);
   Pictures pictures = make_pictures(registry, results.rows);
-  fmt::print("{}\n", write_report(std::move(results), std::move(pictures), chapter_data(), options.output,
-                                  options.title));
+  std::vector<FactSheet> methods;
+  {
+    Progress progress("facts of methods", options);
+    methods = method_sheets(registry.methods,
+                            [&](std::size_t done, std::size_t total) { progress.update(done, total, ""); });
+  }
+  fmt::print("{}\n", write_report(std::move(results), std::move(pictures), chapter_data(), methods,
+                                  options.output, options.title));
   return exit_ok;
 }
 

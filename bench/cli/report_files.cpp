@@ -10,6 +10,7 @@
 #include "reports/chapter_page.hpp"
 #include "reports/csv_rows.hpp"
 #include "reports/html.hpp"
+#include "reports/method_page.hpp"
 #include "reports/page_files.hpp"
 #include "reports/report_page.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 const std::vector<Link>& beside() {
   static const std::vector<Link> links{{"the textbook chapter, claim by claim", "chapter.html"},
+                                       {"every method: facts, computed and measured", "methods.html"},
                                        {"every run, all fields", "csv/rows.csv"},
                                        {"every stability limit", "csv/stability.csv"},
                                        {"this page as Markdown", "report.md"},
@@ -34,7 +36,8 @@ std::string size_text(std::size_t bytes) {
 }  // namespace
 
 std::string write_report(Results results, Pictures pictures, const ChapterData& chapter,
-                         const std::string& folder_name, const std::string& title) {
+                         const std::vector<FactSheet>& methods, const std::string& folder_name,
+                         const std::string& title) {
   ReportInput input;
   input.pictures = std::move(pictures);
   input.header = std::move(results.header);
@@ -44,7 +47,8 @@ std::string write_report(Results results, Pictures pictures, const ChapterData& 
   const Page page = report_page(input), claims = chapter_page(chapter);
 
   const std::filesystem::path folder = folder_name;
-  for (const char* part : {"svg", "csv", "problems"}) require_writable_folder((folder / part).string());
+  for (const char* part : {"svg", "csv", "problems", "methods"})
+    require_writable_folder((folder / part).string());
   const auto write = [&](const std::string& name, const std::string& content) {
     write_file((folder / name).string(), content);
     return content.size();
@@ -54,6 +58,9 @@ std::string write_report(Results results, Pictures pictures, const ChapterData& 
     for (auto& file : page_files(one.page, "svg", "csv")) files.push_back(std::move(file));
     files.push_back({one.name, to_html(one.page)});
   }
+  for (const NamedPage& one : method_pages(methods)) files.push_back({one.name, to_html(one.page)});
+  const Page overview = methods_page(methods);
+  for (auto& file : page_files(overview, "svg", "csv")) files.push_back(std::move(file));
   for (auto& file : page_files(claims, "svg", "csv")) files.push_back(std::move(file));
   files.push_back({"csv/rows.csv", to_csv(rows_table(input.rows))});
   files.push_back({"csv/stability.csv", to_csv(stability_table(input.stability))});
@@ -66,12 +73,14 @@ std::string write_report(Results results, Pictures pictures, const ChapterData& 
   }
   write("report.md", to_markdown(page, "svg"));
   write("chapter.html", to_html(claims));
+  write("methods.html", to_html(overview));
   const std::size_t size = write("report.html", to_html(page));
   return fmt::format(
-      "wrote {} ({}), chapter.html, report.md; {} pages in problems/, {} pictures in svg/, {} tables "
-      "in csv/",
-      (folder / "report.html").string(), size_text(size), written["problems"], written["svg"],
-      written["csv"]);
+      "wrote {} ({}), chapter.html, methods.html, report.md; {} pages in problems/, {} in methods/, {} "
+      "pictures "
+      "in svg/, {} tables in csv/",
+      (folder / "report.html").string(), size_text(size), written["problems"], written["methods"],
+      written["svg"], written["csv"]);
 }
 
 }  // namespace odemark

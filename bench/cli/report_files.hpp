@@ -4,14 +4,16 @@
 #include <string>
 
 #include "bench/data/chapter.hpp"
+#include "bench/data/facts.hpp"
 #include "bench/data/pictures.hpp"
 #include "bench/json_line.hpp"
 
 namespace odemark {
 
-/// Writes report.html, chapter.html, report.md, svg/ and csv/ into the folder of the results. Returns the
-/// sentence to print. Throws CannotWrite.
+/// Writes report.html, chapter.html, methods.html and a page per method, report.md, svg/ and csv/ into the
+/// folder of the results. Returns the sentence to print. Throws CannotWrite.
 std::string write_report(Results results, Pictures pictures, const ChapterData& chapter,
-                         const std::string& folder, const std::string& title);
+                         const std::vector<FactSheet>& methods, const std::string& folder,
+                         const std::string& title);
 
 }  // namespace odemark

@@ -87,7 +87,7 @@ void register_cases(const Registry& registry) {
 
 int print_tax() {
   fmt::print("{}\n", headline(describe_machine()));
-  const auto results = measure_tax(tax_cells(), 101, 20'000);
+  const auto results = measure_tax(tax_cells(), 201, 5'000);
   fmt::print("{}", tax_table(results));
   const auto faults = tax_faults(results);
   for (const auto& fault : faults) fmt::print("{}\n", fault);

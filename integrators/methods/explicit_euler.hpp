@@ -7,6 +7,7 @@ namespace odemark {
 inline constexpr ExplicitRungeKutta<1> explicit_euler{
     .id = "explicit_euler",
     .source = "L. Euler, Institutionum calculi integralis I (1768), 650-653",
+    .advice = "for teaching and for crude steps of dissipative scenes; gains energy on anything that swings",
     .order = 1,
     .a = {{{}}},
     .b = {1},

@@ -10,6 +10,7 @@ inline constexpr DiagonallyImplicitRungeKutta<1> implicit_euler{
     .order = 1,
     .a = {{{1}}},
     .b = {1},
+    .advice = "the last resort for any stiffness: stable and damping at every step, first order",
 };
 static_assert(orders_hold(implicit_euler));
 

@@ -10,6 +10,7 @@ inline constexpr DiagonallyImplicitRungeKutta<1> implicit_midpoint{
     .order = 2,
     .a = {{{1.0L / 2}}},
     .b = {1},
+    .advice = "long Hamiltonian runs with large steps, symplectic; stiff springs ring on undamped",
 };
 static_assert(orders_hold(implicit_midpoint));
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "integrators/splitting.hpp"
+#include "integrators/splitting_order.hpp"
 
 namespace odemark {
 
@@ -12,7 +12,10 @@ inline constexpr Splitting<2> semi_implicit_euler{
     .drift = {0, 1},
     .kick = {1, 0},
     .note = "force at the old position and the old velocity",
+    .advice =
+        "cheapest stable step of games: bounded energy error of order h; not where phases or positions must "
+        "be accurate",
 };
-static_assert(semi_implicit_euler.consistent());
+static_assert(orders_hold(semi_implicit_euler));
 
 }  // namespace odemark

@@ -1,5 +1,5 @@
 #pragma once
-#include "integrators/splitting.hpp"
+#include "integrators/splitting_order.hpp"
 
 namespace odemark {
 
@@ -10,7 +10,8 @@ inline constexpr Splitting<2> stormer_verlet{
     .drift = {0, 1},
     .kick = {1.0L / 2, 1.0L / 2},
     .note = "second kick sees the velocity of the half step: order 1 where the force depends on velocity",
+    .advice = "default for conservative mechanics at moderate accuracy; not where force depends on velocity",
 };
-static_assert(stormer_verlet.consistent());
+static_assert(orders_hold(stormer_verlet));
 
 }  // namespace odemark

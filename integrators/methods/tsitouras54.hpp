@@ -10,6 +10,7 @@ namespace odemark {
 inline constexpr ExplicitRungeKutta<7> tsitouras54{
     .id = "tsitouras54",
     .source = "Ch. Tsitouras, Comput. Math. Appl. 62 (2011) 770-775",
+    .advice = "as dormand_prince54 with a smaller error constant; not for stiff springs",
     .order = 5,
     .embedded_order = 4,
     .a = {{{},

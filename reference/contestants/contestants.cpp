@@ -32,6 +32,14 @@ std::vector<AnyMethod> contestants() {
   return methods;
 }
 
+std::vector<InlinedContestant> inlined_contestants() {
+  std::vector<InlinedContestant> runs;
+#ifdef ODEMARK_HAS_ODEINT
+  contestant::add_odeint_inlined(runs);
+#endif
+  return runs;
+}
+
 std::vector<ProviderInfo> contestant_providers() {
   std::vector<ProviderInfo> providers;
 #ifdef ODEMARK_HAS_SUNDIALS

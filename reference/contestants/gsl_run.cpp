@@ -142,7 +142,8 @@ RunReport fixed_steps(const GslRow& row, const Job& job) {
 RunReport error_controlled(const GslRow& row, const Job& job) {
   const ErrorControl& control = *job.adaptive();
   GslProblem problem(job.system, row.uses_time_derivative);
-  double h = first_step(job.system, control, job.t0, job.t1, job.y);
+  double h = first_step(job.system, control, row.embedded_order > 0 ? row.embedded_order + 1 : 5, job.t0,
+                        job.t1, job.y);
   const auto driver = new_driver(row, problem, control, h);
   RunReport report;
   if (!driver) return ended(report, RunStatus::solver_failed, job.t0, "GSL refused to set up the stepper");

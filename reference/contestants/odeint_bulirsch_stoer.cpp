@@ -62,7 +62,7 @@ RunReport run(const Job& job) {
     std::copy(inside.begin(), inside.end(), out);
     return all_finite(inside);
   };
-  return odeint_controlled(job, first_step(job.system, control, job.t0, job.t1, job.y), try_step, between);
+  return odeint_controlled(job, first_step(job.system, control, 5, job.t0, job.t1, job.y), try_step, between);
 }
 
 }  // namespace

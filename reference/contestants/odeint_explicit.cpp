@@ -6,6 +6,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
+#include "reference/contestants/odeint_error_test.hpp"
 #include "reference/contestants/odeint_loops.hpp"
 #include "reference/contestants/odeint_methods.hpp"
 #include "reference/contestants/stability_probe.hpp"
@@ -72,26 +73,6 @@ constexpr Row f78{"odeint_fehlberg78",
                   false,
                   ODEMARK_ODEINT_TEST ODEMARK_ODEINT_GRID};
 
-/// The suite's error test in the place of odeint's.
-class ErrorChecker {
- public:
-  explicit ErrorChecker(const ErrorControl& control) : control_(&control) {}
-
-  template <class Algebra>
-  double error(Algebra&, const State& y, const State&, const State& error, double) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      const double ratio = error[i] / error_weight(*control_, i, std::abs(y[i]));
-      sum += ratio * ratio;
-    }
-    const double norm = std::sqrt(sum / double(y.size()));
-    return norm < 1e300 ? norm : 1e300;  // odeint accepts NaN
-  }
-
- private:
-  const ErrorControl* control_;
-};
-
 template <const Row& row, class Stepper>
 RunReport run(const Job& job) {
   if (const auto reason = why_not(row, job.control); !reason.empty())
@@ -108,12 +89,13 @@ RunReport run(const Job& job) {
   };
   if constexpr (row.error_control) {
     if (const ErrorControl* control = job.adaptive()) {
-      odeint::controlled_runge_kutta<Stepper, ErrorChecker> stepper{ErrorChecker(*control)};
+      odeint::controlled_runge_kutta<Stepper, OdeintErrorTest> stepper{OdeintErrorTest(*control)};
       const auto try_step = [&](double& t, double& h) {
         return stepper.try_step(rhs, job.y, t, h) == odeint::success;
       };
-      return odeint_controlled(job, first_step(job.system, *control, job.t0, job.t1, job.y), try_step,
-                               between);
+      return odeint_controlled(
+          job, first_step(job.system, *control, row.embedded_order + 1, job.t0, job.t1, job.y), try_step,
+          between);
     }
   }
   Stepper stepper;

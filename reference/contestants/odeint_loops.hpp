@@ -23,32 +23,50 @@ RunReport odeint_fixed(const Job& job, Step&& step, Between&& between) {
   return ended(report, job.y, job.t1);
 }
 
-/// `try_step(t, h)` is a controlled stepper's: true where it advanced job.y and t; it changes h either way.
-template <class TryStep, class Between>
-RunReport odeint_controlled(const Job& job, double h, TryStep&& try_step, Between&& between) {
+/// `try_step(t, h)` is a controlled stepper's: true where it advanced the state and t; it changes h either
+/// way. `accepted(t_old, t)` false stops the run.
+template <class TryStep, class Accepted, class Finite>
+RunReport odeint_steps(const ErrorControl& control, double h, double t0, double t1, TryStep&& try_step,
+                       Accepted&& accepted, Finite&& finite) {
   RunReport report;
-  Recorder recorder(job);
-  std::vector<double> before(job.y);
-  double t = job.t0;
-  while (t < job.t1) {
-    if (report.accepted + report.rejected >= job.adaptive()->step_limit)
+  double t = t0;
+  while (t < t1) {
+    if (report.accepted + report.rejected >= control.step_limit)
       return ended(report, RunStatus::step_limit, t);
     if (vanishes(h, t)) return ended(report, RunStatus::step_underflow, t);
-    const bool last = t + h * 1.0001 >= job.t1;
-    if (last) h = job.t1 - t;
+    const bool last = t + h * 1.0001 >= t1;
+    if (last) h = t1 - t;
     const double t_before = t;
-    if (recorder.traced()) before = job.y;
     if (!try_step(t, h)) {
       ++report.rejected;
       continue;
     }
     ++report.accepted;
-    if (last) t = job.t1;
-    if (!all_finite(job.y)) return ended(report, RunStatus::not_finite, t);
-    const auto value = [&](double time, double* out) { return between(t_before, before, time, out); };
-    if (!recorder.accepted(t, job.y.data(), value)) return ended(report, RunStatus::time_limit, t);
+    if (last) t = t1;
+    if (!accepted(t_before, t)) return ended(report, RunStatus::time_limit, t);
   }
-  return ended(report, job.y, t);
+  return ended(report, finite() ? RunStatus::reached_end : RunStatus::not_finite, t);
+}
+
+/// The same on job.y, watched; it goes no further once the state is not finite.
+template <class TryStep, class Between>
+RunReport odeint_controlled(const Job& job, double h, TryStep&& try_step, Between&& between) {
+  Recorder recorder(job);
+  std::vector<double> before(job.y);
+  bool finite = true;
+  const auto watched_step = [&](double& t, double& step) {
+    if (recorder.traced()) before = job.y;
+    return try_step(t, step);
+  };
+  const auto accepted = [&](double t_before, double t) {
+    finite = all_finite(job.y);
+    const auto value = [&](double time, double* out) { return between(t_before, before, time, out); };
+    return finite && recorder.accepted(t, job.y.data(), value);
+  };
+  RunReport report = odeint_steps(*job.adaptive(), h, job.t0, job.t1, watched_step, accepted,
+                                  [&] { return all_finite(job.y); });
+  if (!finite) report.status = RunStatus::not_finite;
+  return report;
 }
 
 /// A system in units of each component's natural size: odeint's own error tests know one absolute tolerance

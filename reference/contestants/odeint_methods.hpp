@@ -9,6 +9,7 @@ void add_odeint_explicit(std::vector<AnyMethod>& methods);
 void add_odeint_bulirsch_stoer(std::vector<AnyMethod>& methods);
 void add_odeint_rosenbrock(std::vector<AnyMethod>& methods);
 void add_odeint_velocity_verlet(std::vector<AnyMethod>& methods);
+void add_odeint_inlined(std::vector<InlinedContestant>& runs);
 ProviderInfo odeint_provider();
 
 }  // namespace odemark::contestant

@@ -97,8 +97,9 @@ RunReport run(const Job& job) {
       move_to(z);
       return true;
     };
-    report =
-        odeint_controlled(job, first_step(job.system, *control, job.t0, job.t1, job.y), try_step, between);
+    report = odeint_controlled(
+        job, first_step(job.system, *control, row.embedded_order + 1, job.t0, job.t1, job.y), try_step,
+        between);
   } else {
     RosenbrockStepper stepper(z.size(), 1, 1);
     const auto step = [&](double t, double h) {

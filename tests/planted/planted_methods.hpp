@@ -1,10 +1,15 @@
 // Methods with the faults people really make, beside their right versions; all enter through the public door.
 #pragma once
 
-#include "integrators/adams_bashforth.hpp"
 #include "integrators/erase_method.hpp"
 #include "integrators/explicit_runge_kutta.hpp"
 #include "integrators/methods/adams_bashforth3.hpp"
+#include "integrators/methods/adams_bashforth4.hpp"
+#include "integrators/methods/adams_bashforth_moulton44.hpp"
+#include "integrators/methods/bdf4.hpp"
+#include "integrators/methods/explicit_euler.hpp"
+#include "integrators/methods/heun.hpp"
+#include "integrators/methods/implicit_euler.hpp"
 #include "integrators/step_function.hpp"
 
 namespace odemark::planted {
@@ -58,7 +63,7 @@ class CopiedStartStepper;
 
 /// Adams-Bashforth 3 whose history is filled with copies of f(0) instead of being built by steps of order 3.
 struct CopiedStart {
-  static constexpr std::string_view kind_name = "Adams-Bashforth";
+  static constexpr std::string_view kind_name = "explicit multistep";
   static constexpr unsigned needs = 0;
   std::string_view id, source;
   int order, embedded_order = 0;
@@ -94,6 +99,29 @@ class CopiedStartStepper {
   State slope_;
   bool empty_;
 };
+
+/// The right formulas behind a starter of too low an order: what multistep_holds() would not let compile.
+inline constexpr ExplicitMultistep<4, heun> adams_bashforth_poor_start{
+    .id = "adams_bashforth_poor_start",
+    .source = "planted",
+    .order = 4,
+    .formula = adams_bashforth4.formula,
+};
+inline constexpr PredictorCorrector<4, explicit_euler> adams_bashforth_moulton_poor_start{
+    .id = "adams_bashforth_moulton_poor_start",
+    .source = "planted",
+    .order = 4,
+    .predictor = adams_bashforth_moulton44.predictor,
+    .corrector = adams_bashforth_moulton44.corrector,
+};
+inline constexpr ImplicitMultistep<4, implicit_euler> bdf_poor_start{
+    .id = "bdf_poor_start",
+    .source = "planted",
+    .order = 4,
+    .formula = bdf4.formula,
+};
+static_assert(!multistep_holds(adams_bashforth_poor_start) &&
+              !multistep_holds(adams_bashforth_moulton_poor_start) && !multistep_holds(bdf_poor_start));
 
 inline constexpr CopiedStart adams_copied_start{.id = "adams_copied_start", .source = "planted", .order = 3};
 

@@ -56,7 +56,7 @@ void print_controlled_end(const char* problem, const F& family) {
   std::vector<double> y(F::size);
   family.initial(y.data());
   StepperOf<method, ErasedSystem<double>> stepper(system, y);
-  integrate(stepper, system, ErrorControl{1e-7, 1e-9}, method.embedded_order + 1, 0, 2, y);
+  integrate(stepper, system, ErrorControl{1e-7, 1e-9}, error_order<method>(), 0, 2, y);
   print_bits(problem, method.id, "controlled", y);
 }
 

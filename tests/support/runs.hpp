@@ -11,6 +11,14 @@ namespace odemark {
 
 inline void PrintTo(const AnyMethod& method, std::ostream* out) { *out << method.id; }
 
+/// Kinds whose steps can end because an equation has no solution that they find.
+inline bool solves_equations(const AnyMethod& method) {
+  for (const std::string_view kind : {"diagonally implicit Runge-Kutta", "implicit multistep",
+                                      "linearly implicit extrapolation", "variable-order BDF"})
+    if (method.kind == kind) return true;
+  return false;
+}
+
 template <class T>
 bool can_run(const AnyMethod& method, const AnyProblem& problem) {
   return method.runs<T>().solve && missing_ability(method.needs, problem.abilities).empty();

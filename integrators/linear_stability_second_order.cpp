@@ -8,19 +8,8 @@ namespace odemark::detail {
 
 namespace {
 
-/// A linear form in (x_n, v_n), over a common denominator.
-struct Form {
-  RealPolynomial of_x, of_v;
-};
 Form operator+(const Form& a, const Form& b) { return {a.of_x + b.of_x, a.of_v + b.of_v}; }
 Form operator*(const RealPolynomial& p, const Form& a) { return {p * a.of_x, p * a.of_v}; }
-
-struct StepMatrix {
-  Form x, v;  // what becomes of (x_n, v_n), over the denominator
-  RealPolynomial denominator;
-  RealPolynomial trace() const { return x.of_x + v.of_v; }
-  RealPolynomial determinant() const { return x.of_x * v.of_v - x.of_v * v.of_x; }
-};
 
 StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
                        Coefficient damping) {
@@ -57,18 +46,44 @@ StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient st
   return {x, v, denominator};
 }
 
+/// The entries on (x, dt v) are polynomials in dt^2 stiffness; back to (x, v) one dt moves.
+StepMatrix step_matrix(const OscillatorMatrix& m, Coefficient stiffness) {
+  const auto in_dt = [&](const std::vector<Coefficient>& polynomial, int shift) {
+    RealPolynomial out;
+    Coefficient power = 1;
+    for (std::size_t k = 0; k < polynomial.size(); ++k) {
+      if (polynomial[k] != 0) out.add_term(std::size_t(int(2 * k) + shift), polynomial[k] * power);
+      power *= stiffness;
+    }
+    return out;
+  };
+  return {{in_dt(m.xx, 0), in_dt(m.xv, 1)}, {in_dt(m.vx, -1), in_dt(m.vv, 0)}, RealPolynomial({1})};
+}
+
 }  // namespace
 
-std::vector<Coefficient> moves_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
-                                      Coefficient damping, Coefficient dt) {
-  const auto m = step_matrix(moves, stiffness, damping);
+RealPolynomial StepMatrix::trace() const { return x.of_x + v.of_v; }
+RealPolynomial StepMatrix::determinant() const { return x.of_x * v.of_v - x.of_v * v.of_x; }
+
+StepMatrix step_matrix(const Theory& theory, Coefficient stiffness, Coefficient damping) {
+  return theory.moves.empty() ? step_matrix(theory.oscillator, stiffness)
+                              : step_matrix(theory.moves, stiffness, damping);
+}
+
+bool is_second_order(const Theory& theory) {
+  return !theory.moves.empty() || !theory.oscillator.xx.empty() || theory.second_order_step;
+}
+
+std::vector<Coefficient> polynomial_matrix(const Theory& theory, Coefficient stiffness, Coefficient damping,
+                                           Coefficient dt) {
+  const auto m = step_matrix(theory, stiffness, damping);
   const Coefficient q = m.denominator(dt);
   return {m.x.of_x(dt) / q, m.v.of_x(dt) / q, m.x.of_v(dt) / q, m.v.of_v(dt) / q};
 }
 
-NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
-                         Coefficient damping) {
-  const auto matrix = step_matrix(moves, stiffness, damping);
+NonNegative second_order_stable(const Theory& theory, Coefficient stiffness, Coefficient damping) {
+  if (theory.second_order_step) return function_stable(theory.second_order_step, stiffness, damping);
+  const auto matrix = step_matrix(theory, stiffness, damping);
   const RealPolynomial trace = matrix.trace(), determinant = matrix.determinant(), &q = matrix.denominator;
   // Jury: |det| <= 1 and |trace| <= 1 + det. Where det is 1 by construction the first vanishes identically,
   // and what is left is |trace| <= 2.
@@ -83,11 +98,12 @@ NonNegative moves_stable(const std::vector<SecondOrderMove>& moves, Coefficient 
   return out;
 }
 
-Coefficient moves_log_radius(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
-                             Coefficient damping, Coefficient dt) {
+Coefficient second_order_log_radius(const Theory& theory, Coefficient stiffness, Coefficient damping,
+                                    Coefficient dt) {
+  if (theory.second_order_step) return matrix_log_radius(theory.second_order_step(stiffness, damping, dt));
   const Coefficient rate = std::max(std::sqrt(std::abs(stiffness)), std::abs(damping)), h = dt * rate;
   const auto matrix =
-      step_matrix(moves, rate == 0 ? 0 : stiffness / rate / rate, rate == 0 ? 0 : damping / rate);
+      step_matrix(theory, rate == 0 ? 0 : stiffness / rate / rate, rate == 0 ? 0 : damping / rate);
   const Coefficient q = matrix.denominator(h);
   RealPolynomial deficit = matrix.denominator * matrix.denominator - matrix.determinant();
   deficit.clean();

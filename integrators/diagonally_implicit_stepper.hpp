@@ -1,0 +1,256 @@
+// The step of a diagonally implicit Runge-Kutta method: stage by stage, simplified Newton on one
+// factorization.
+#pragma once
+
+#include <limits>
+
+#include "integrators/compensated.hpp"
+#include "integrators/diagonally_implicit_runge_kutta.hpp"
+#include "integrators/jacobian.hpp"
+#include "integrators/newton_control.hpp"
+#include "integrators/shifted_lu.hpp"
+
+namespace odemark {
+
+/// The unknown of stage i is z = h a_ii f(base + z). Started plainly every stage is solved to round-off with
+/// the Jacobian of the start of the step; started with an error control the iteration stops by the tolerance,
+/// and Jacobian and factors are kept while they serve.
+template <const auto& method, System P>
+class DiagonallyImplicitRungeKuttaStepper {
+ public:
+  using State = typename P::State;
+  using Real = RealOf<State>;
+
+  DiagonallyImplicitRungeKuttaStepper(const P& system, const State& model)
+      : system_(system), size_(size_of(model)), lu_(size_) {
+    for (State* s : {&stage_, &base_, &spare_, &correction_, &z_, &weight_, &last_slope_})
+      *s = zeros_like(model);
+    slopes_.fill(stage_);
+    if constexpr (N == 0) jacobian_.resize(size_ * size_);
+  }
+
+  void start() {
+    control_ = nullptr;
+    forget();
+  }
+  void start(const ErrorControl& control) {
+    control_ = &control;
+    newton_.start(control, {.power = 1, .kappa = 0.02, .most = 7, .fast = 0.02});
+    forget();
+  }
+  void accept() {
+    std::swap(last_slope_, slopes_[S - 1]);
+    last_slope_known_ = true;
+    jacobian_is_current_ = false;
+    keep_jacobian_ = control_ && newton_.converges_fast();
+    attempts_ = 0;
+  }
+  Real choose_factor(Real wished, double norm) { return Real(newton_.choose_factor(double(wished), norm)); }
+  NewtonCounts newton_counts() const { return counts_; }
+
+  StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
+    if (!solve_stages(t, y, h)) return StepStatus::newton_diverged;
+    if constexpr (method.stiffly_accurate() && method.a[S - 1][S - 1] != 0)
+      next = stage_;
+    else
+      add_slopes(y, h, table.b, next);
+    if constexpr (method.embedded_order > 0) {
+      clear(error);
+      add_slopes(error, h, table.error, error);
+      if constexpr (method.filter_estimate) {
+        for_each_component(error, [&](std::size_t n) { error.data()[n] *= factored_; });
+        lu_.solve_in_place(error.data());
+      }
+    }
+    return StepStatus::ok;
+  }
+  StepStatus attempt_compensated(Real t, const State& y, const State& carry, Real h, State& next,
+                                 State& next_carry) {
+    if (!solve_stages(t, y, h)) return StepStatus::newton_diverged;
+    clear(correction_);
+    add_slopes(correction_, h, table.b, correction_);
+    add_compensated(y, carry, correction_, next, next_carry);
+    return StepStatus::ok;
+  }
+
+ private:
+  static constexpr std::size_t S = method.stages, N = inlined_size<State>;
+
+  /// The coefficients in the number type of the step.
+  struct Table {
+    using Row = std::array<Real, S>;
+    std::array<Row, S> a{}, guess{};
+    Row b{}, error{}, c{};
+
+    /// guess: the slope of stage i from those before it, on the line through the two latest that are apart.
+    constexpr Table() {
+      for (std::size_t i = 0; i < S; ++i) {
+        b[i] = static_cast<Real>(method.b[i]),
+        error[i] = static_cast<Real>(method.b[i] - method.b_embedded[i]);
+        c[i] = static_cast<Real>(method.c(i));
+        for (std::size_t j = 0; j < S; ++j) a[i][j] = static_cast<Real>(method.a[i][j]);
+        if (i == 0) continue;
+        const Coefficient at = method.c(i), near = method.c(i - 1);
+        guess[i][i - 1] = 1;
+        for (std::size_t j = i - 1; j-- > 0;)
+          if (const Coefficient gap = method.c(j) - near; gap > 0.1L || gap < -0.1L) {
+            const Coefficient slope = (at - near) / gap;
+            if (slope > 2 || slope < -2) continue;
+            guess[i][j] = static_cast<Real>(slope), guess[i][i - 1] = static_cast<Real>(1 - slope);
+            break;
+          }
+      }
+    }
+  };
+  static constexpr Table table{};
+
+  static void clear(State& s) {
+    for_each_component(s, [&](std::size_t n) { s.data()[n] = Real(0); });
+  }
+  /// out = base + h (w_0 k_0 + ... ), the first `count` slopes.
+  void add_slopes(const State& base, Real h, const std::array<Real, S>& weights, State& out,
+                  std::size_t count = S) const {
+    for_each_component(base, [&](std::size_t n) {
+      Real sum = base.data()[n];
+      for (std::size_t j = 0; j < count; ++j) sum += h * weights[j] * slopes_[j].data()[n];
+      out.data()[n] = sum;
+    });
+  }
+
+  void forget() {
+    keep_jacobian_ = jacobian_is_current_ = last_slope_known_ = false;
+    factored_ = 0;
+    attempts_ = 0;
+  }
+  void refresh_jacobian(Real t, const State& y) {
+    evaluate_jacobian(system_, t, y, MatrixView<Real>{jacobian_.data(), size_}, spare_, correction_, weight_);
+    if (control_) set_weights(y);  // which served as scratch
+    factored_ = 0;
+  }
+  void set_weights(const State& y) {
+    for_each_component(y, [&](std::size_t n) {
+      weight_.data()[n] = Real(newton_.inverse_weight(n, double(std::abs(y.data()[n]))));
+    });
+  }
+  void factorize(Real shift) {
+    if (factored_ == shift) return;
+    lu_.factorize(jacobian_.data(), factored_ = shift);
+    ++counts_.lu;
+  }
+
+  bool solve_stages(Real t, const State& y, Real h) {
+    if (control_) set_weights(y), newton_.begin_step();
+    if (!jacobian_is_current_ && (!keep_jacobian_ || attempts_ > 0)) {
+      refresh_jacobian(t, y);
+      jacobian_is_current_ = true;
+    }
+    ++attempts_;
+    if (run_stages(t, y, h)) return true;
+    if (!control_ || jacobian_is_current_) return false;
+    refresh_jacobian(t, y);
+    jacobian_is_current_ = true;
+    newton_.begin_step();
+    return run_stages(t, y, h);
+  }
+
+  bool run_stages(Real t, const State& y, Real h) {
+    for (std::size_t i = 0; i < S; ++i) {
+      const Real stage_time = t + table.c[i] * h;
+      add_slopes(y, h, table.a[i], base_, i);
+      if (table.a[i][i] == 0) {
+        // the last stage of a stiffly accurate step has it already, without the noise of f
+        if (control_ && i == 0 && method.stiffly_accurate() && last_slope_known_)
+          slopes_[0] = last_slope_;
+        else
+          system_.rhs(stage_time, base_, slopes_[i]);
+        continue;
+      }
+      const Real shift = 1 / (h * table.a[i][i]);
+      guess_stage(i, shift);
+      factorize(shift);
+      if (control_) {
+        if (!iterate_to_tolerance(i, stage_time, shift)) return false;
+      } else if (!iterate_to_round_off(i, stage_time, shift, false)) {
+        // the Jacobian of the start may be far from that of the stage: once more, with Newton proper
+        clear(z_);
+        jacobian_is_current_ = false;
+        if (!iterate_to_round_off(i, stage_time, shift, true)) return false;
+      }
+      for_each_component(z_, [&](std::size_t n) {
+        stage_.data()[n] = base_.data()[n] + z_.data()[n];
+        slopes_[i].data()[n] = shift * z_.data()[n];
+      });
+    }
+    return true;
+  }
+
+  void guess_stage(std::size_t i, Real shift) {
+    clear(z_);
+    if (i > 0) {
+      add_slopes(z_, 1 / shift, table.guess[i], z_, i);
+    } else if (last_slope_known_) {
+      for_each_component(z_, [&](std::size_t n) { z_.data()[n] = last_slope_.data()[n] / shift; });
+    }
+  }
+
+  /// correction = (shift I - J)^-1 (f(base + z) - shift z), the slope left in `spare`.
+  void correct(Real stage_time, Real shift) {
+    for_each_component(z_, [&](std::size_t n) { stage_.data()[n] = base_.data()[n] + z_.data()[n]; });
+    system_.rhs(stage_time, stage_, spare_);
+    for_each_component(
+        z_, [&](std::size_t n) { correction_.data()[n] = spare_.data()[n] - shift * z_.data()[n]; });
+    lu_.solve_in_place(correction_.data());
+    ++counts_.newton;
+  }
+
+  bool iterate_to_tolerance(std::size_t, Real stage_time, Real shift) {
+    newton_.begin();
+    for (;;) {
+      correct(stage_time, shift);
+      Real sum = 0;
+      for_each_component(z_, [&](std::size_t n) {
+        z_.data()[n] += correction_.data()[n];
+        const Real ratio = correction_.data()[n] * weight_.data()[n];
+        sum += ratio * ratio;
+      });
+      const auto verdict = newton_.judge(std::sqrt(sum / Real(size_)));
+      if (verdict != NewtonVerdict::go_on) return verdict == NewtonVerdict::converged;
+    }
+  }
+  /// `every` refreshes the Jacobian in every iteration.
+  bool iterate_to_round_off(std::size_t, Real stage_time, Real shift, bool every) {
+    RoundOffStop<Real> stop(every ? 48 : 20);
+    for (;;) {
+      if (every) {
+        for_each_component(z_, [&](std::size_t n) { stage_.data()[n] = base_.data()[n] + z_.data()[n]; });
+        refresh_jacobian(stage_time, stage_);
+        factorize(shift);
+      }
+      correct(stage_time, shift);
+      Real moved = 0, size = 0, terms = 0;
+      for_each_component(z_, [&](std::size_t n) {
+        z_.data()[n] += correction_.data()[n];
+        moved += std::abs(correction_.data()[n]);
+        size += std::abs(z_.data()[n]);
+        terms += std::abs(base_.data()[n]) + std::abs(spare_.data()[n] / shift);
+      });
+      const auto verdict = stop.judge(moved, size, terms);
+      if (verdict != NewtonVerdict::go_on) return verdict == NewtonVerdict::converged;
+    }
+  }
+
+  const P& system_;
+  std::size_t size_;
+  ShiftedLu<Real, Real, N> lu_;
+  std::conditional_t<N == 0, std::vector<Real>, std::array<Real, N * N>> jacobian_{};
+  std::array<State, S> slopes_;
+  State stage_, base_, spare_, correction_, z_, weight_, last_slope_;
+  const ErrorControl* control_ = nullptr;
+  NewtonControl<Real> newton_;
+  NewtonCounts counts_;
+  Real factored_ = 0;  // the shift of the factors, 0 where there are none
+  int attempts_ = 0;   // since the last accepted step
+  bool keep_jacobian_ = false, jacobian_is_current_ = false, last_slope_known_ = false;
+};
+
+}  // namespace odemark

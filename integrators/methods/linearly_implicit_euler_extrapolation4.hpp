@@ -1,0 +1,16 @@
+#pragma once
+#include "integrators/extrapolation.hpp"
+
+namespace odemark {
+
+inline constexpr FixedExtrapolation<LinearlyImplicitRule, 4> linearly_implicit_euler_extrapolation4{
+    .id = "linearly_implicit_euler_extrapolation4",
+    .source = "P. Deuflhard, SIAM Rev. 27 (1985) 505-535; E. Hairer, G. Wanner, Solving ODEs II, IV.9",
+    .advice =
+        "starts bdf3 and bdf4: keeps stiff problems alive through the first steps; otherwise use a "
+        "Rosenbrock method",
+};
+static_assert(linearly_implicit_euler_extrapolation4.order == 4 &&
+              linearly_implicit_euler_extrapolation4.embedded_order == 3);
+
+}  // namespace odemark

@@ -1,0 +1,28 @@
+#pragma once
+#include "integrators/rosenbrock.hpp"
+#include "integrators/rosenbrock_order.hpp"
+
+namespace odemark {
+
+namespace detail {
+inline constexpr Coefficient ros3p_gamma = 0.788675134594812882254574390250978728L;  // 1/2 + sqrt(3)/6
+}
+
+inline constexpr Rosenbrock<3> ros3p{
+    .id = "ros3p",
+    .source = "J. Lang, J. Verwer, BIT Numer. Math. 41 (2001) 731-738, ROS3P",
+    .advice =
+        "diffusion and other parabolic problems at 1e-2 to 1e-4, two evaluations a step; not L-stable (R = "
+        "-0.73 at infinity)",
+    .order = 3,
+    .embedded_order = 2,
+    .alpha = {{{}, {1}, {1}}},
+    .gamma = {{{detail::ros3p_gamma},
+               {-1, detail::ros3p_gamma},
+               {-detail::ros3p_gamma, 0.5L - 2 * detail::ros3p_gamma, detail::ros3p_gamma}}},
+    .b = {2.0L / 3, 0, 1.0L / 3},
+    .b_embedded = {1.0L / 3, 1.0L / 3, 1.0L / 3},
+};
+static_assert(orders_hold(ros3p));
+
+}  // namespace odemark

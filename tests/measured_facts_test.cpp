@@ -1,0 +1,101 @@
+// Every method of the suite does what its coefficients say, in double and in float.
+#include "bench/measured_facts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bench/facts.hpp"
+
+namespace odemark {
+namespace {
+
+class Measured : public testing::TestWithParam<const AnyMethod*> {};
+
+TEST_P(Measured, AgreesWithItsCoefficients) {
+  FactSheet sheet = fact_sheet(*GetParam());
+  sheet.measured = measure_facts(*GetParam());
+  for (const auto& fault : measured_faults(sheet)) ADD_FAILURE() << fault;
+}
+
+TEST_P(Measured, AndTheyHaveTheOrdersItClaims) {
+  for (const auto& fault : claim_faults(*GetParam())) ADD_FAILURE() << fault;
+}
+
+std::vector<const AnyMethod*> all_methods() {
+  std::vector<const AnyMethod*> out;
+  for (const auto& method : suite_methods()) out.push_back(&method);
+  return out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Suite, Measured, testing::ValuesIn(all_methods()),
+                         [](const auto& test) { return std::string(test.param->id); });
+
+TEST(MeasuredFacts, SomethingIsMeasuredOfEveryMethodThatStepsOnItsOwn) {
+  for (const auto& method : suite_methods()) {
+    const Theory theory = method.theory();
+    if (!method.runs<double>().transition || !theory.blank_reason.empty()) continue;
+    int compared = 0;
+    for (const auto& fact : measure_facts(method)) compared += fact.difference.has_value();
+    EXPECT_GE(compared, 2) << method.id;
+  }
+}
+
+TEST(MeasuredFacts, WhatIsMeasuredOfAPair) {
+  for (const auto& method : suite_methods()) {
+    if (method.id != "dormand_prince54") continue;
+    std::vector<std::string> names;
+    for (const auto& fact : measure_facts(method)) names.push_back(fact.fact + " " + fact.scalar);
+    EXPECT_EQ(names, (std::vector<std::string>{"R(z) double", "error estimate on y' = lambda y double",
+                                               "evaluations_per_step double", "quadrature in t double",
+                                               "R(z) float", "error estimate on y' = lambda y float",
+                                               "evaluations_per_step float", "quadrature in t float",
+                                               "real_interval double", "oscillator_limit double"}));
+  }
+}
+
+TEST(FactSheets, HaveEveryKeyOrAReason) {
+  for (const auto& method : suite_methods()) {
+    const FactSheet sheet = fact_sheet(method);
+    std::vector<std::string> keys;
+    for (const auto& line : sheet.facts) {
+      keys.push_back(line.key);
+      if (std::holds_alternative<std::monostate>(line.value)) {
+        EXPECT_FALSE(line.note.empty() || line.note == "not known") << method.id << ": " << line.key;
+      }
+    }
+    for (const char* key : {"stages",
+                            "order",
+                            "embedded_order",
+                            "stage_order",
+                            "fsal",
+                            "evaluations_per_step",
+                            "linear_solves_per_step",
+                            "error_constant",
+                            "real_interval",
+                            "real_islands",
+                            "imaginary_interval",
+                            "imaginary_interval_eps_1e-3",
+                            "imaginary_bands",
+                            "log_amplification",
+                            "phase_error",
+                            "r_infinity",
+                            "a_stable",
+                            "a_alpha_degrees",
+                            "l_stable",
+                            "stiffly_accurate",
+                            "algebraically_stable",
+                            "symplectic",
+                            "symmetric",
+                            "ssp_coefficient",
+                            "oscillator_limit",
+                            "oscillator_windows",
+                            "damped_limit",
+                            "controller_spectral_radius",
+                            "internal_amplification",
+                            "zero_stable",
+                            "step_ratio_limit"})
+      EXPECT_EQ(std::count(keys.begin(), keys.end(), key), 1) << method.id << ": " << key;
+  }
+}
+
+}  // namespace
+}  // namespace odemark
