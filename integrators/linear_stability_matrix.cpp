@@ -101,7 +101,7 @@ Coefficient matrix_log_radius(const std::vector<Coefficient>& m) {
   return std::log(largest);
 }
 
-/// Looks every 1/200 of a radian up to 60 and every 2 % beyond, and bisects where the verdict changes: a band
+/// Looks every 1/50 of a radian up to 60 and every 2 % beyond, and bisects where the verdict changes: a band
 /// narrower than that is not seen.
 NonNegative function_stable(const SecondOrderStep& step, Coefficient stiffness, Coefficient damping) {
   const auto growth = [&](Coefficient h) { return matrix_log_radius(step(stiffness, damping, h)); };
@@ -111,7 +111,7 @@ NonNegative function_stable(const SecondOrderStep& step, Coefficient stiffness, 
   Coefficient at = 0;
   bool good = true;
   while (at < end) {
-    const Coefficient next = at < 60 ? at + 0.005L : at * 1.02L;
+    const Coefficient next = at < 60 ? at + 0.02L : at * 1.02L;
     if (stable(next) != good) {
       Coefficient low = at, high = next;
       for (int i = 0; i < 200; ++i) {

@@ -6,6 +6,7 @@
 #include "integrators/erase_method.hpp"
 #include "integrators/methods/generalised_alpha_r08.hpp"
 #include "integrators/methods/hht_alpha_005.hpp"
+#include "integrators/methods/time_corrected_verlet.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
@@ -50,6 +51,27 @@ TEST(GameGrade, SuvatIsExactUnderAConstantForce) {
   const auto y = one_step("suvat", falling(0), {1, 2}, 0.75);
   EXPECT_NEAR(y[0], 1 + 2 * 0.75 + 10 * 0.75 * 0.75, 1e-14);
   EXPECT_NEAR(y[1], 2 + 20 * 0.75, 1e-14);
+}
+
+TEST(GameGrade, TimeCorrectedVerletErrsWhereTheStepChanges) {
+  // ten frames of 1/60 s, then a spike of 0.25 s
+  const auto miss = [](double gravity) {
+    const auto problem = suite_problem("drag_ship", "m=1,drag=0,thrust=" + std::to_string(gravity));
+    const auto& system = problem.system<double>();
+    std::vector<double> y{0, 3}, next = y, error = y;
+    StepperOf<time_corrected_verlet, ErasedSystem<double>> stepper(system, y);
+    stepper.start();
+    double t = 0;
+    for (int frame = 0; frame < 11; ++frame) {
+      const double h = frame < 10 ? 1.0 / 60 : 0.25;
+      EXPECT_EQ(stepper.attempt(t, y, h, next, error), StepStatus::ok);
+      stepper.accept();
+      y = next, t += h;
+    }
+    return y[0] - (3 * t + gravity * t * t / 2);
+  };
+  EXPECT_NEAR(miss(0), 0, 1e-14);
+  EXPECT_NEAR(miss(9.81), 9.81 * 0.25 * (0.25 - 1.0 / 60) / 2, 1e-13);  // 0.286 m
 }
 
 TEST(GameGrade, OneXpbdSolveOfASpringIsImplicitEuler) {

@@ -136,7 +136,7 @@ TEST(Rotation, TheSplittingAloneIsPoissonAndStepsBackToTheStart) {
     const double defect = poisson_defect(method, problem, 0.25L),
                  gap = scaled_gap(problem, y, problem.initial);
     if (std::string(id) == "rigid_body_splitting") {
-      EXPECT_LT(defect, 1e-7) << "what differences leave";
+      EXPECT_LT(defect, 1e-10) << "what differences leave";
       EXPECT_LT(gap, 4e-15);
     } else {
       EXPECT_GT(defect, 1e-6);
@@ -204,8 +204,9 @@ TEST(Rotation, AFlippingBoxLosesItsSpinToTheImplicitStep) {
 struct TurnsInSpace {
   template <class Body, class Real>
   void operator()(Body& body, Real t, Real h, Turning<Real>& s) const {
+    const Quaternion<Real> start = s.q;
     rigid_body_splitting.step(body, t, h, s);
-    s.q = rotation_by(h * s.w) * s.q;
+    s.q = rotation_by(h * s.w) * start;
   }
 };
 /// The splitting with the torque at the start of the step, where it is not centred.
@@ -229,7 +230,7 @@ double order_between(const AnyMethod& method, const AnyProblem& problem, long st
 TEST(Rotation, PlantedFaultsShow) {
   const auto top = probe::problem<probe::DrivenTop>();
   EXPECT_NEAR(order_between(suite_method("rigid_body_splitting"), top, 128), 2, 0.05);
-  EXPECT_NEAR(order_between(erase_method<early_torque>(), top, 128), 1, 0.05);
+  EXPECT_LT(order_between(erase_method<early_torque>(), top, 128), 1.2);
   const auto free = suite_problem("free_rigid_body_tumbling", "t_end=10");
   EXPECT_LT(drift(suite_method("rigid_body_splitting"), free, 500).momentum_in_space, 1e-12);
   EXPECT_GT(drift(erase_method<turns_in_space>(), free, 500).momentum_in_space, 0.1);
