@@ -207,10 +207,10 @@ void measure_multistep(const AnyMethod& method, const Theory& theory, const Stab
   if (points > 0) out.push_back(result("characteristic polynomial", scalar, worst, points));
 }
 
-/// Trace and determinant of a step on springs.
+/// The matrix of a step on (x, v) of springs.
 template <class T>
-void measure_moves(const AnyMethod& method, const Theory& theory, const std::string& scalar,
-                   std::vector<MeasuredFact>& out) {
+void measure_second_order(const AnyMethod& method, const Theory& theory, const std::string& scalar,
+                          std::vector<MeasuredFact>& out) {
   const Wide unit = std::numeric_limits<T>::epsilon() / 2;
   Worst worst;
   int points = 0;
@@ -222,24 +222,24 @@ void measure_moves(const AnyMethod& method, const Theory& theory, const std::str
     std::vector<Wide> jacobian(4, 0);
     wide.jacobian(0, origin, MatrixView<Wide>{jacobian.data(), 2});
     const Wide k = -jacobian[1], d = -jacobian[3];
-    const auto theory_matrix = detail::step_matrix(theory, k, d);
-    const RealPolynomial trace = theory_matrix.trace(), determinant = theory_matrix.determinant();
+    if (d != 0 && !theory.oscillator.xx.empty()) continue;
     for (const Wide z : {0.125L, 0.5L, 1.0L, 1.5L, 2.0L, 3.0L}) {
       const Wide h = static_cast<Wide>(T(z / std::sqrt(k)));
+      const auto expected = second_order_matrix(theory, k, d, h);
       const auto m = method.runs<T>().transition(spring.homogeneous->system<T>(), T(h)).columns;
-      if (m.size() != 4) return;
-      const Wide q = theory_matrix.denominator(h);
-      const auto magnitude = [h](const RealPolynomial& p) { return size_at(p.magnitude, h); };
-      const Wide spread = magnitude(theory_matrix.denominator) / std::abs(q);
-      const Wide allowed = 100 * unit * spread * spread * (1 + magnitude(trace) + magnitude(determinant));
-      const auto where = fmt::format("{}, z = {}", settings, double(z));
+      if (m.size() != 4 || expected.size() != 4) return;
+      // each move may add at most h times the other component and its own damping to the size of an entry
+      Wide size = 8;
+      for (const auto& move : theory.moves) size *= 1 + std::abs(move.weight) * h * (k + d + 1);
+      if (theory.moves.empty())
+        for (const Wide entry : expected) size += 32 * entry * entry + 8 * h * h * (k + d + 1) * (k + d + 1);
       ++points;
-      worst.look(std::abs(Wide(m[0]) + Wide(m[3]) - trace(h) / q), allowed, where);
-      worst.look(std::abs(Wide(m[0]) * Wide(m[3]) - Wide(m[1]) * Wide(m[2]) - determinant(h) / (q * q)),
-                 allowed, where);
+      for (std::size_t i = 0; i < 4; ++i)
+        worst.look(std::abs(Wide(m[i]) - expected[i]), 8 * unit * size,
+                   fmt::format("{}, z = {}", settings, double(z)));
     }
   }
-  if (points > 0) out.push_back(result("trace and determinant on springs", scalar, worst, points));
+  if (points > 0) out.push_back(result("matrix on springs", scalar, worst, points));
 }
 
 template <class T>
@@ -247,14 +247,14 @@ std::vector<MeasuredFact> linear_facts(const AnyMethod& method, const std::strin
   std::vector<MeasuredFact> out;
   if (!method.runs<T>().transition || !method.theory) return out;
   const Theory theory = method.theory();
-  if (!theory.moves.empty()) {
-    measure_moves<T>(method, theory, scalar, out);
+  if (detail::is_second_order(theory)) {
+    measure_second_order<T>(method, theory, scalar, out);
     return out;
   }
   const LinearBlock<T> block{T(-1), T(0)};
   if ((method.needs & ~block.view().abilities) != 0 || !theory.blank_reason.empty()) return out;
   const StabilityFacts facts = detail::stability_facts(theory);
-  if (detail::is_multistep(theory))
+  if (detail::takes_several_steps(theory))
     measure_multistep<T>(method, theory, facts, scalar, out);
   else if (!theory.numerator.empty() || theory.exact_on_linear_part)
     measure_function<T>(method, theory, facts, scalar, out);

@@ -79,7 +79,7 @@ MethodFacts method_facts(const Theory& theory, int order, int embedded_order) {
   f.step_ratio_limit = Fact<Coefficient>::none("a one-step method");
   if (theory.tableau.stages > 0) {
     detail::add_tableau_facts(theory, order, embedded_order, f);
-  } else if (detail::is_multistep(theory)) {
+  } else if (detail::takes_several_steps(theory)) {
     detail::add_multistep_facts(theory, f);
   } else if (detail::is_one_step_function(theory)) {
     add_function_facts(theory, f);

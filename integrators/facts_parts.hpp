@@ -6,7 +6,7 @@
 namespace odemark::detail {
 
 constexpr bool is_one_step_function(const Theory& t) { return !t.numerator.empty(); }
-bool is_multistep(const Theory& t);
+bool takes_several_steps(const Theory& t);
 
 /// b'(I - zA)^-1 of a tableau as R = P / Q with what order says of the coefficients put in exactly: for
 /// explicit tableaux by powers of A, else by Faddeev and LeVerrier. `a` is A, for Rosenbrock alpha + gamma.

@@ -82,8 +82,17 @@ Coefficient widest_angle(const Theory& theory) {
 
 /// BDF-like methods: the boundary is the root locus, so the angle is where it leans out furthest.
 Coefficient angle_of_locus(const Theory& theory) {
+  const auto locus = [&](Coefficient at) {
+    const WideComplex w = std::polar(Coefficient(1), at);
+    const auto value = [w](const std::vector<Coefficient>& p) {
+      WideComplex sum = 0;
+      for (std::size_t k = p.size(); k-- > 0;) sum = sum * w + p[k];
+      return sum;
+    };
+    return value(theory.rho) / value(theory.sigma);
+  };
   const auto angle = [&](Coefficient at) {
-    const WideComplex z = root_locus(theory, at);
+    const WideComplex z = locus(at);
     return z.real() < 0 ? std::atan2(std::abs(z.imag()), -z.real()) : std::numbers::pi_v<Coefficient> / 2;
   };
   constexpr int samples = 2000;
@@ -91,7 +100,7 @@ Coefficient angle_of_locus(const Theory& theory) {
   for (int i = 1; i < samples; ++i) {
     const Coefficient at = std::numbers::pi_v<Coefficient> * Coefficient(i) / samples;
     // next to 0 the locus hugs the imaginary axis closer than it can be computed
-    if (std::abs(root_locus(theory, at)) > 1e-2L && angle(at) < best) best = angle(at), where = at;
+    if (std::abs(locus(at)) > 1e-2L && angle(at) < best) best = angle(at), where = at;
   }
   if (where == 0) return 90;
   constexpr Coefficient golden = 0.61803398874989484820L;
@@ -127,7 +136,7 @@ Fact<Coefficient> at_infinity(const Theory& theory) {
 
 }  // namespace
 
-bool is_multistep(const Theory& t) { return !t.rho.empty() || !t.characteristic.empty(); }
+bool takes_several_steps(const Theory& t) { return !t.rho.empty() || !t.characteristic.empty(); }
 
 StabilityFacts no_stability_facts(const std::string& why) {
   StabilityFacts out;
@@ -150,7 +159,7 @@ StabilityFacts stability_facts(const Theory& theory) {
     out.a_alpha_degrees = Coefficient(90);
     return out;
   }
-  if (!is_one_step_function(theory) && !is_multistep(theory))
+  if (!is_one_step_function(theory) && !takes_several_steps(theory))
     return no_stability_facts(theory.blank_reason.empty() ? "nothing is known of its effect on y' = lambda y"
                                                           : std::string(theory.blank_reason));
   StabilityFacts out = no_stability_facts("not known");

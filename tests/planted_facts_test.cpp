@@ -99,7 +99,7 @@ TEST(PlantedInSteps, CoefficientsThatAreNotThoseOfTheTheory) {
   EXPECT_THAT((measured_faults_of(pretending<wrong_adams, adams_bashforth3>())),
               Contains(HasSubstr("wrong_adams: characteristic polynomial in double")));
   EXPECT_THAT((measured_faults_of(pretending<wrong_yoshida, yoshida4>())),
-              Contains(HasSubstr("wrong_yoshida: trace and determinant on springs in double")));
+              Contains(HasSubstr("wrong_yoshida: matrix on springs in double")));
 }
 
 TEST(PlantedInSteps, AnEstimateWithoutTheMainFormula) {

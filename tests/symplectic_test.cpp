@@ -24,11 +24,29 @@ TEST(Symplectic, TheExpectedOnesAreFound) {
         "implicit_midpoint", "implicit_trapezoid", "position_verlet", "mclachlan_atela4", "kahan_li8",
         "average_vector_field", "gauss4", "gauss6", "gauss8", "lobatto_iiia4"})
     EXPECT_TRUE(conserves_area(suite_method(id))) << id;
-  for (const char* id :
-       {"stormer_verlet", "position_verlet", "yoshida4", "yoshida6", "yoshida8", "suzuki4", "suzuki_umeno8",
-        "kahan_li6", "kahan_li8", "pefrl", "vefrl", "blanes_moan4", "blanes_moan6", "blanes_moan_rkn4",
-        "blanes_moan_rkn6", "implicit_midpoint", "implicit_trapezoid", "average_vector_field", "gauss4", "gauss6", "gauss8",
-        "lobatto_iiia4", "lobatto_iiib4"})
+  for (const char* id : {"stormer_verlet",
+                         "position_verlet",
+                         "yoshida4",
+                         "yoshida6",
+                         "yoshida8",
+                         "suzuki4",
+                         "suzuki_umeno8",
+                         "kahan_li6",
+                         "kahan_li8",
+                         "pefrl",
+                         "vefrl",
+                         "blanes_moan4",
+                         "blanes_moan6",
+                         "blanes_moan_rkn4",
+                         "blanes_moan_rkn6",
+                         "implicit_midpoint",
+                         "implicit_trapezoid",
+                         "average_vector_field",
+                         "gauss4",
+                         "gauss6",
+                         "gauss8",
+                         "lobatto_iiia4",
+                         "lobatto_iiib4"})
     EXPECT_TRUE(is_symmetric(suite_method(id))) << id;
   for (const char* id :
        {"mclachlan_atela2", "mclachlan_atela3", "mclachlan_atela4", "ruth3", "calvo_sanz_serna4", "rkn4"})
@@ -38,7 +56,8 @@ TEST(Symplectic, TheExpectedOnesAreFound) {
   // symmetric and area-preserving where the problem is linear, but not symplectic
   for (const char* id : {"implicit_trapezoid", "average_vector_field", "rkn_dormand_prince86", "sdirk2"})
     EXPECT_FALSE(is_symplectic(suite_method(id))) << id;
-  for (const char* id : {"explicit_euler", "heun", "rk4", "implicit_euler", "sdirk2", "radau_iia5", "lobatto_iiic4"})
+  for (const char* id :
+       {"explicit_euler", "heun", "rk4", "implicit_euler", "sdirk2", "radau_iia5", "lobatto_iiic4"})
     EXPECT_FALSE(conserves_area(suite_method(id)) || is_symmetric(suite_method(id))) << id;
   EXPECT_FALSE(is_symmetric(suite_method("semi_implicit_euler")));
 }
