@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integrators/rock2_polynomials.hpp"
+#include "integrators/rock_polynomials.hpp"
 
 namespace odemark {
 
@@ -74,34 +74,50 @@ void fill_legendre(std::size_t s, std::vector<RecurrenceStage>& out) {
   }
 }
 
+bool is_rock(StabilisedFamily family) {
+  return family == StabilisedFamily::rock2 || family == StabilisedFamily::rock4;
+}
+
 }  // namespace
 
-std::size_t stage_cap(StabilisedFamily family) {
-  return family == StabilisedFamily::rock2  ? rock2_polynomials().back().stages
-         : family == StabilisedFamily::rkl2 ? 201
-                                            : 200;
+Coefficient internal_amplification(StabilisedFamily family, std::size_t s) {
+  if (!is_rock(family)) return Coefficient(s) * Coefficient(s);
+  const auto& polynomial = rock_polynomial(family, s);
+  Coefficient w = 0;
+  for (std::size_t k = polynomial.last.size(); k-- > 0;)
+    w = polynomial.last[k] - w * polynomial.real_interval;
+  return std::abs(w);
+}
+
+std::size_t stage_cap(StabilisedFamily family, Coefficient roundoff) {
+  const Coefficient bound = 10 * std::sqrt(roundoff);
+  if (!is_rock(family)) {
+    std::size_t s = family == StabilisedFamily::rkl2 ? 201 : 200;
+    while (s > 3 && internal_amplification(family, s) * roundoff > bound) s -= 2;
+    return s;
+  }
+  std::size_t largest = 0;
+  for (const auto& polynomial : rock_polynomials(family))
+    if (largest == 0 || internal_amplification(family, polynomial.stages) * roundoff <= bound)
+      largest = polynomial.stages;
+  return largest;
 }
 
 Coefficient real_interval(StabilisedFamily family, std::size_t s) {
+  if (is_rock(family)) return rock_polynomial(family, s).real_interval;
   const Coefficient n = Coefficient(s);
-  switch (family) {
-    case StabilisedFamily::rkc1: return (shift(family, s) + 1) / stretch(family, s);
-    case StabilisedFamily::rkc2: return (shift(family, s) + 1) / stretch(family, s);
-    case StabilisedFamily::rkl2: return (n * n + n - 2) / 2;
-    case StabilisedFamily::rock2: return rock2_polynomial(s).real_interval;
-  }
-  return 0;
+  return family == StabilisedFamily::rkl2 ? (n * n + n - 2) / 2 : (shift(family, s) + 1) / stretch(family, s);
 }
 
-std::size_t stages_for(StabilisedFamily family, Coefficient reach) {
-  if (family == StabilisedFamily::rock2) {
-    for (const auto& candidate : rock2_polynomials())
-      if (reach <= candidate.real_interval) return candidate.stages;
-    return stage_cap(family);
+std::size_t stages_for(StabilisedFamily family, Coefficient reach, std::size_t cap) {
+  if (is_rock(family)) {
+    for (const auto& candidate : rock_polynomials(family))
+      if (reach <= candidate.real_interval && candidate.stages <= cap) return candidate.stages;
+    return cap;
   }
   // odd numbers of stages damp the fastest modes in RKL2
   const bool legendre = family == StabilisedFamily::rkl2;
-  const std::size_t cap = stage_cap(family), pace = legendre ? 2 : 1;
+  const std::size_t pace = legendre ? 2 : 1;
   const Coefficient wide = legendre ? 2 : family == StabilisedFamily::rkc1 ? 0.55L : 1.6L;  // s^2 / interval
   std::size_t s = legendre ? 3 : family == StabilisedFamily::rkc1 ? 1 : 2;
   if (!(reach < Coefficient(cap * cap))) return cap;
@@ -118,12 +134,12 @@ StabilisedRecurrence room_for(StabilisedFamily family) {
 }
 
 void fill_recurrence(StabilisedFamily family, std::size_t s, StabilisedRecurrence& out) {
-  out.count = s, out.sigma = out.tau = 0;
-  if (family == StabilisedFamily::rock2) {
-    const auto& polynomial = rock2_polynomial(s);
+  out.count = s, out.last = {1};
+  if (is_rock(family)) {
+    const auto& polynomial = rock_polynomial(family, s);
     out.count = polynomial.recurrence.size() - 1;
     std::copy(polynomial.recurrence.begin(), polynomial.recurrence.end(), out.stages.begin());
-    out.sigma = polynomial.sigma, out.tau = polynomial.tau;
+    out.last = polynomial.last, out.finish = polynomial.finish;
   } else if (family == StabilisedFamily::rkl2) {
     fill_legendre(s, out.stages);
   } else {
@@ -148,7 +164,9 @@ std::complex<Coefficient> stability_value(StabilisedFamily family, std::size_t s
         stage.mu * now + stage.nu * before + z * (stage.slope * (1.0L + now) + stage.first_slope);
     before = now, now = next;
   }
-  return (1.0L + now) * (1.0L + z * (2 * recurrence.sigma + z * recurrence.tau));
+  std::complex<Coefficient> last = 0;
+  for (std::size_t k = recurrence.last.size(); k-- > 0;) last = last * z + recurrence.last[k];
+  return (1.0L + now) * last;
 }
 
 std::vector<Coefficient> stability_polynomial(StabilisedFamily family, std::size_t s) {
@@ -167,13 +185,11 @@ std::vector<Coefficient> stability_polynomial(StabilisedFamily family, std::size
     before = now, now = next;
   }
   now[0] += 1;
-  if (recurrence.sigma == 0) return now;
-  Polynomial product(length + 2, 0);
-  for (std::size_t k = 0; k < length; ++k) {
-    product[k] += now[k];
-    product[k + 1] += 2 * recurrence.sigma * now[k];
-    product[k + 2] += recurrence.tau * now[k];
-  }
+  std::size_t degree = recurrence.last.size() - 1;
+  while (recurrence.last[degree] == 0) --degree;
+  Polynomial product(length + degree, 0);
+  for (std::size_t k = 0; k < length; ++k)
+    for (std::size_t j = 0; j <= degree; ++j) product[k + j] += recurrence.last[j] * now[k];
   return product;
 }
 

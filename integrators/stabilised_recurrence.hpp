@@ -1,6 +1,7 @@
 // The three-term recurrences of stabilised explicit methods for any number of stages, compiled once.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 namespace odemark {
 
-enum class StabilisedFamily { rkc1, rkc2, rkl2, rock2 };
+enum class StabilisedFamily { rkc1, rkc2, rkl2, rock2, rock4 };
 
 /// Y_0 = y, and for j = 1 ... count, with F_j = f(t + node_j h, Y_j):
 ///   Y_j = Y_0 + mu (Y_(j-1) - Y_0) + nu (Y_(j-2) - Y_0) + h (slope F_(j-1) + first_slope F_0).
@@ -19,19 +20,35 @@ struct RecurrenceStage {
   Coefficient node = 0;  // where Y_j stands
 };
 
+/// The four explicit Runge-Kutta stages that end a step of ROCK4, from Y_count on; `node` and the weights are
+/// in units of h, `error` are the weights of the difference to order 3, the last one of the slope at the end.
+struct LastStages {
+  std::array<std::array<Coefficient, 4>, 4> a{};
+  std::array<Coefficient, 4> b{}, node{};
+  std::array<Coefficient, 5> error{};
+};
+
 struct StabilisedRecurrence {
   std::vector<RecurrenceStage> stages;  // index 0 is y itself
   std::size_t count = 0;
-  /// ROCK2 ends with two stages of its own, (1 + 2 sigma z + tau z^2) on y' = lambda y; 0 elsewhere.
-  Coefficient sigma = 0, tau = 0;
+  /// What stages of their own at the end do on y' = lambda y, ascending: 1 + 2 sigma z + tau z^2 in ROCK2, of
+  /// degree 4 in ROCK4, 1 elsewhere.
+  std::array<Coefficient, 5> last{1};
+  LastStages finish;
 };
 
-/// Largest number of evaluations that a step may take.
-std::size_t stage_cap(StabilisedFamily family);
+/// How much larger than the unit roundoff the rounding errors of one step may become: the square of the
+/// number of stages in the recurrences of RKC and RKL2; in ROCK the last stages multiply what the recurrence
+/// leaves by |w(-interval)|.
+Coefficient internal_amplification(StabilisedFamily family, std::size_t stages);
+
+/// Largest number of stages that a step may take; with a unit roundoff u, at most as many as keep
+/// internal_amplification u below 10 sqrt(u).
+std::size_t stage_cap(StabilisedFamily family, Coefficient roundoff = 0);
 
 /// The fewest stages that the family has whose real interval is at least `reach` = h times the spectral
-/// radius, or its cap where none suffices. NaN gets the cap.
-std::size_t stages_for(StabilisedFamily family, Coefficient reach);
+/// radius, or the cap where none suffices. NaN gets the cap.
+std::size_t stages_for(StabilisedFamily family, Coefficient reach, std::size_t cap);
 
 /// R is stable (and damped, but for RKL2) on [-real_interval, 0].
 Coefficient real_interval(StabilisedFamily family, std::size_t stages);

@@ -55,6 +55,7 @@ class StabilisedStepper {
       : system_(system),
         family_(family),
         estimates_(estimates),
+        cap_(stage_cap(family, std::numeric_limits<Real>::epsilon() / 2)),
         recurrence_(room_for(family)),
         first_(model),
         last_(model),
@@ -62,7 +63,9 @@ class StabilisedStepper {
         now_(model),
         stage_(model),
         slope_(model),
-        direction_(zeros_like(model)) {}
+        direction_(zeros_like(model)) {
+    if (family == StabilisedFamily::rock4) ends_.fill(model);
+  }
 
   void start() { first_known_ = radius_known_ = direction_known_ = false; }
   void accept() {
@@ -76,12 +79,14 @@ class StabilisedStepper {
     first_known_ = true;
     if (!radius_known_) estimate_radius(t, y);
     const Coefficient reach = Coefficient(std::abs(h)) * Coefficient(radius_);
-    const std::size_t stages = fixed_stages_ > 0 ? fixed_stages_ : stages_for(family_, reach);
+    const std::size_t stages = fixed_stages_ > 0 ? fixed_stages_ : stages_for(family_, reach, cap_);
     if (stages != stages_) fill_recurrence(family_, stages, recurrence_);
     stages_ = stages;
     run_recurrence(t, y, h);
-    if (recurrence_.sigma != 0)
-      finish(t, y, h, next, error);
+    if (family_ == StabilisedFamily::rock2)
+      finish_second_order(t, y, h, next, error);
+    else if (family_ == StabilisedFamily::rock4)
+      finish_fourth_order(t, y, h, next);
     else
       for_each_component(y, [&](std::size_t i) { next.data()[i] = stage_.data()[i]; });
     if (keeps_last()) estimate(t, y, h, next, error);
@@ -93,6 +98,7 @@ class StabilisedStepper {
   /// As many stages at every step, whatever the spectral radius; 0: chosen again. For measurements.
   void fix_stages(std::size_t stages) { fixed_stages_ = stages; }
   std::size_t stages() const { return stages_; }
+  std::size_t cap() const { return cap_; }
   Real spectral_radius() const { return radius_; }
 
  private:
@@ -126,9 +132,9 @@ class StabilisedStepper {
   }
 
   /// The two last stages of ROCK2; their difference is the error estimate.
-  void finish(Real t, const State& y, Real h, State& next, State& error) {
-    const Real sigma = Real(recurrence_.sigma),
-               correction = h * Real(recurrence_.sigma - recurrence_.tau / recurrence_.sigma);
+  void finish_second_order(Real t, const State& y, Real h, State& next, State& error) {
+    const Coefficient half = recurrence_.last[1] / 2;
+    const Real sigma = Real(half), correction = h * Real(half - recurrence_.last[2] / half);
     const Real node = Real(recurrence_.stages[recurrence_.count].node);
     system_.rhs(t + node * h, stage_, slope_);
     for_each_component(y, [&](std::size_t i) {
@@ -143,9 +149,37 @@ class StabilisedStepper {
     });
   }
 
+  /// The four last stages of ROCK4, and the slope at the end for the estimate.
+  void finish_fourth_order(Real t, const State& y, Real h, State& next) {
+    const LastStages& last = recurrence_.finish;
+    const Real node = Real(recurrence_.stages[recurrence_.count].node);
+    for (std::size_t i = 0; i < 4; ++i) {
+      for_each_component(y, [&](std::size_t n) {
+        Real sum = 0;
+        for (std::size_t j = 0; j < i; ++j) sum += Real(last.a[i][j]) * ends_[j].data()[n];
+        stage_.data()[n] = y.data()[n] + (now_.data()[n] + h * sum);
+      });
+      system_.rhs(t + (node + Real(last.node[i])) * h, stage_, ends_[i]);
+    }
+    for_each_component(y, [&](std::size_t n) {
+      Real sum = 0;
+      for (std::size_t i = 0; i < 4; ++i) sum += Real(last.b[i]) * ends_[i].data()[n];
+      next.data()[n] = y.data()[n] + (now_.data()[n] + h * sum);
+    });
+  }
+  void estimate_fourth_order(Real h, State& error) {
+    const auto& weights = recurrence_.finish.error;
+    for_each_component(error, [&](std::size_t n) {
+      Real sum = Real(weights[4]) * last_.data()[n];
+      for (std::size_t i = 0; i < 4; ++i) sum += Real(weights[i]) * ends_[i].data()[n];
+      error.data()[n] = h * sum;
+    });
+  }
+
   /// 0.8 (y - y+) + 0.4 h (f + f+), a fifth of 12 times the local error of a smooth solution of second order.
   void estimate(Real t, const State& y, Real h, const State& next, State& error) {
     system_.rhs(t + h, next, last_);
+    if (family_ == StabilisedFamily::rock4) return estimate_fourth_order(h, error);
     for_each_component(y, [&](std::size_t i) {
       error.data()[i] =
           Real(0.8L) * (y.data()[i] - next.data()[i]) + Real(0.4L) * h * (first_.data()[i] + last_.data()[i]);
@@ -196,10 +230,12 @@ class StabilisedStepper {
   const P& system_;
   StabilisedFamily family_;
   bool estimates_;
+  std::size_t cap_;  // for this number type
   StabilisedRecurrence recurrence_;
   State first_, last_;                  // f(t, y); f at the end of the step
   State before_, now_, stage_, slope_;  // Y_(j-2) - y, Y_(j-1) - y, Y_j, F_j
   State direction_;                     // in which f changes fastest, as far as known
+  std::array<State, 4> ends_{};         // slopes of the last stages of ROCK4
   Real radius_ = 0;
   std::size_t stages_ = 0, fixed_stages_ = 0;
   int age_ = 0;

@@ -10,21 +10,22 @@
 #include "integrators/methods/rkc2.hpp"
 #include "integrators/methods/rkl2.hpp"
 #include "integrators/methods/rock2.hpp"
-#include "integrators/rock2_polynomials.hpp"
+#include "integrators/methods/rock4.hpp"
+#include "integrators/rock_polynomials.hpp"
 
 namespace odemark {
 namespace {
 
 using Complex = std::complex<Coefficient>;
 
-constexpr std::array<const StabilisedRungeKutta*, 4> methods{&rkc1, &rkc2, &rkl2, &rock2};
+constexpr std::array<const StabilisedRungeKutta*, 5> methods{&rkc1, &rkc2, &rkl2, &rock2, &rock4};
 
 /// Every tenth of the numbers of stages that a family can take, with the ends.
 std::vector<std::size_t> some_stages(StabilisedFamily family) {
   std::vector<std::size_t> chosen;
   Coefficient reach = 0;
   for (int n = 0; n < 40; ++n) {
-    const std::size_t s = stages_for(family, reach);
+    const std::size_t s = stages_for(family, reach, stage_cap(family));
     if (chosen.empty() || s != chosen.back()) chosen.push_back(s);
     reach = real_interval(family, s) * 1.6L;
   }
@@ -56,6 +57,7 @@ TEST(Stabilised, IntervalsAreThePublishedOnes) {
   EXPECT_EQ(double(real_interval(rkl2.family, 21)), (21 * 21 + 21 - 2) / 2);
   EXPECT_NEAR(double(real_interval(rock2.family, 10)), 79.5, 0.3);
   EXPECT_NEAR(per_square(rock2, stage_cap(rock2.family)), 0.81, 0.005);
+  EXPECT_NEAR(per_square(rock4, stage_cap(rock4.family)), 0.353, 0.001);
 }
 
 TEST(Stabilised, OrdersOfTheLinearProblem) {
@@ -107,9 +109,8 @@ void expect_its_polynomial() {
       (void)stepper.attempt(0.0, Complexes::State{1, 0}, 1.0, next, error);
       EXPECT_EQ(stepper.stages(), s);
       const Complex expected = stability_value(method.family, s, Complex(system.re, system.im));
-      // roundings grow as s^2 in the recurrences; the last two stages of ROCK2 multiply them by w(z)
-      const double growth = double(s * s) * (method.family == StabilisedFamily::rock2 ? double(s * s) : 4);
-      EXPECT_LE(double(std::abs(Complex(next[0], next[1]) - expected)), 4e-16 * (10 + growth))
+      const double growth = double(internal_amplification(method.family, s));
+      EXPECT_LE(double(std::abs(Complex(next[0], next[1]) - expected)), 4e-16 * (10 + 4 * growth))
           << method.id << " with " << s << " at " << double(z.real()) << " + " << double(z.imag()) << " i";
     }
 }
@@ -119,6 +120,7 @@ TEST(Stabilised, SteppersAreTheirPolynomials) {
   expect_its_polynomial<rkc2>();
   expect_its_polynomial<rkl2>();
   expect_its_polynomial<rock2>();
+  expect_its_polynomial<rock4>();
 }
 
 /// u_t = u_xx + sin(t) u - u^3 on 99 inner points: spectral radius 4e4 at most.
@@ -157,19 +159,21 @@ TEST(Stabilised, StagesFollowTheSpectralRadius) {
   expect_stable_diffusion<rkc2>();
   expect_stable_diffusion<rkl2>();
   expect_stable_diffusion<rock2>();
+  expect_stable_diffusion<rock4>();
   for (const auto* m : methods) {
     for (const Coefficient reach : {0.0L, 1.0L, 7.5L, 100.0L, 999.0L, 5000.0L}) {
-      const std::size_t s = stages_for(m->family, reach);
+      const std::size_t s = stages_for(m->family, reach, stage_cap(m->family));
       EXPECT_GE(real_interval(m->family, s), reach) << m->id;
       std::size_t fewer = s - 2;  // would not do
-      for (const auto& polynomial : rock2_polynomials())
-        if (m->family == StabilisedFamily::rock2 && polynomial.stages < s) fewer = polynomial.stages;
+      if (m == &rock2 || m == &rock4)
+        for (const auto& polynomial : rock_polynomials(m->family))
+          if (polynomial.stages < s) fewer = polynomial.stages;
       if (reach >= 100) {
         EXPECT_LT(real_interval(m->family, fewer), reach) << m->id;
       }
     }
-    EXPECT_EQ(stages_for(m->family, 1e12L), stage_cap(m->family));
-    EXPECT_EQ(stages_for(m->family, std::nanl("")), stage_cap(m->family));
+    EXPECT_EQ(stages_for(m->family, 1e12L, 77), 77u);
+    EXPECT_EQ(stages_for(m->family, std::nanl(""), 77), 77u);
   }
 }
 
@@ -184,11 +188,59 @@ TEST(Stabilised, AStepBeyondTheCapIsRefused) {
   EXPECT_FALSE(std::isnan(error[0]));
 }
 
+/// All eight trees up to order 4, of the recurrence and the last stages together, for every number of stages.
+TEST(Stabilised, Rock4HasOrderFour) {
+  const std::array<Coefficient, 8> expected{1,        1.0L / 2, 1.0L / 3,  1.0L / 6,
+                                            1.0L / 4, 1.0L / 8, 1.0L / 12, 1.0L / 24};
+  const auto slope_of = [](const std::array<Coefficient, 8>& g) {
+    return std::array<Coefficient, 8>{1,           g[0], g[0] * g[0], g[1], g[0] * g[0] * g[0],
+                                      g[0] * g[1], g[2], g[3]};
+  };
+  const auto largest_residual = [&](const RockPolynomial& polynomial, std::size_t trees, bool embedded) {
+    const auto start = elementary_weights(polynomial.recurrence);
+    std::array<std::array<Coefficient, 8>, 5> slopes;
+    auto end = start;
+    for (std::size_t i = 0; i < 4; ++i) {
+      auto stage = start;
+      for (std::size_t j = 0; j < i; ++j)
+        for (std::size_t t = 0; t < 8; ++t) stage[t] += polynomial.finish.a[i][j] * slopes[j][t];
+      slopes[i] = slope_of(stage);
+      for (std::size_t t = 0; t < 8; ++t) end[t] += polynomial.finish.b[i] * slopes[i][t];
+    }
+    slopes[4] = slope_of(end);
+    Coefficient worst = 0;
+    for (std::size_t t = 0; t < trees; ++t) {
+      Coefficient sum = embedded ? 0 : end[t] - expected[t];
+      for (std::size_t i = 0; embedded && i < 5; ++i) sum += polynomial.finish.error[i] * slopes[i][t];
+      worst = std::max(worst, std::abs(sum));
+    }
+    return worst;
+  };
+  for (auto polynomial : rock_polynomials(StabilisedFamily::rock4)) {
+    EXPECT_LT(double(largest_residual(polynomial, 8, false)), 1e-15) << polynomial.stages;
+    EXPECT_LT(double(largest_residual(polynomial, 4, true)), 1e-17) << polynomial.stages;
+    EXPECT_GT(double(largest_residual(polynomial, 8, true)), 1e-4)
+        << "an estimate of the order of the method";
+    polynomial.finish.a[3][2] += 1e-12L;
+    EXPECT_GT(double(largest_residual(polynomial, 8, false)), 1e-15) << "a wrong digit is seen";
+  }
+}
+
+TEST(Stabilised, CapsFollowTheNumberType) {
+  for (const auto* m : methods)
+    for (const Coefficient u : {0x1p-24L, 0x1p-53L, 0x1p-64L}) {
+      const std::size_t cap = stage_cap(m->family, u);
+      EXPECT_LE(double(internal_amplification(m->family, cap) * u), 10 * std::sqrt(double(u))) << m->id;
+      EXPECT_GE(cap, 9u) << m->id;
+      EXPECT_LE(cap, stage_cap(m->family)) << m->id;
+    }
+}
+
 TEST(Stabilised, NodesEndAtOne) {
   for (const auto* m : methods) {
     auto filled = room_for(m->family);
-    fill_recurrence(m->family, stages_for(m->family, 60), filled);
-    EXPECT_NEAR(double(filled.stages[filled.count].node + 2 * filled.sigma), 1, 1e-16) << m->id;
+    fill_recurrence(m->family, stages_for(m->family, 60, stage_cap(m->family)), filled);
+    EXPECT_NEAR(double(filled.stages[filled.count].node + filled.last[1]), 1, 1e-16) << m->id;
   }
 }
 
