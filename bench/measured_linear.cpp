@@ -223,7 +223,7 @@ void measure_moves(const AnyMethod& method, const Theory& theory, const std::str
     wide.jacobian(0, origin, MatrixView<Wide>{jacobian.data(), 2});
     const Wide k = -jacobian[1], d = -jacobian[3];
     const auto theory_matrix = detail::step_matrix(theory, k, d);
-    const RealPolynomial trace = theory_matrix.trace(), determinant = theory_matrix.determinant();
+    const RealPolynomial trace = theory_matrix.trace, determinant = theory_matrix.determinant;
     for (const Wide z : {0.125L, 0.5L, 1.0L, 1.5L, 2.0L, 3.0L}) {
       const Wide h = static_cast<Wide>(T(z / std::sqrt(k)));
       const auto m = method.runs<T>().transition(spring.homogeneous->system<T>(), T(h)).columns;
