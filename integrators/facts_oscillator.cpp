@@ -80,12 +80,12 @@ Numbers to_power(const Numbers& a, Coefficient power) {
 void add_series(const Theory& theory, StabilityFacts& facts) {
   const auto m = step_matrix(theory, 1, 0);
   const Numbers q = even_part(m.denominator), inverse = to_power(q, -1);
-  const Numbers determinant = times(even_part(m.determinant()), times(inverse, inverse));
+  const Numbers determinant = times(even_part(m.determinant), times(inverse, inverse));
   for (std::size_t k = 1; k < terms && !facts.log_amplification; ++k)
     if (std::abs(determinant[k]) > 1e-14L) facts.log_amplification = PowerLaw{determinant[k] / 2, int(2 * k)};
   if (!facts.log_amplification)
     facts.log_amplification = Fact<PowerLaw>::none("amplitudes of oscillations are kept");
-  Numbers u = times(times(even_part(m.trace()), inverse), to_power(determinant, -0.5L));
+  Numbers u = times(times(even_part(m.trace), inverse), to_power(determinant, -0.5L));
   for (auto& x : u) x = -x;
   u[0] += 2;
   Numbers square(terms, 0), power = u;  // theta^2
@@ -135,7 +135,7 @@ void add_oscillator_facts(const Theory& theory, MethodFacts& facts) {
   const bool old_force = uses_old_force(theory.moves);
   add_series(theory, facts.stability);
   const auto step = step_matrix(theory, 1, 0);
-  auto defect = step.denominator * step.denominator - step.determinant();
+  auto defect = step.denominator * step.denominator - step.determinant;
   defect.clean();
   facts.symplectic = {!old_force && defect.is_zero(), "for forces without velocity"};
   facts.symmetric = {!old_force && reads_the_same_backwards(theory.moves), "for forces without velocity"};

@@ -41,8 +41,8 @@ struct Form {
 struct StepMatrix {
   Form x, v;  // what becomes of (x_n, v_n), times the denominator
   RealPolynomial denominator;
-  RealPolynomial trace() const;        // times the denominator
-  RealPolynomial determinant() const;  // times its square
+  RealPolynomial trace;        // times the denominator
+  RealPolynomial determinant;  // times its square
 };
 StepMatrix step_matrix(const Theory& theory, Coefficient stiffness, Coefficient damping);
 
