@@ -35,7 +35,7 @@ class DiagonallyImplicitRungeKuttaStepper {
   }
   void start(const ErrorControl& control) {
     control_ = &control;
-    newton_.start(control, {.power = 1, .kappa = 0.02, .most = 7, .fast = 0.02});
+    newton_.start(control, {.power = 1, .kappa = kappa(), .most = 7, .fast = 0.02});
     forget();
   }
   void accept() {
@@ -103,6 +103,24 @@ class DiagonallyImplicitRungeKuttaStepper {
     }
   };
   static constexpr Table table{};
+
+  /// What an iteration may leave of the tolerance. Where f is stiff the rest of one stage goes, times a_ij /
+  /// a_jj, into those after it: e_i = 1 + sum_j |a_ij / a_jj| e_j of the last stage must stay below the
+  /// tolerance.
+  static constexpr double kappa() {
+    std::array<double, S> rest{};
+    for (std::size_t i = 0; i < S; ++i) {
+      if (method.a[i][i] == 0) continue;
+      rest[i] = 1;
+      for (std::size_t j = 0; j < i; ++j) {
+        if (method.a[j][j] == 0) continue;
+        const double ratio = double(method.a[i][j] / method.a[j][j]);
+        rest[i] += (ratio < 0 ? -ratio : ratio) * rest[j];
+      }
+    }
+    const double allowed = 0.5 / (rest[S - 1] + 1);
+    return allowed < 0.02 ? allowed : 0.02;
+  }
 
   static void clear(State& s) {
     for_each_component(s, [&](std::size_t n) { s.data()[n] = Real(0); });

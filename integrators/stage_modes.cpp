@@ -38,10 +38,8 @@ std::array<Coefficient, most + 1> characteristic(std::size_t n, const Coefficien
 /// All roots at once (L. W. Ehrlich, Comm. ACM 10 (1967) 107-108).
 Vector roots(std::size_t n, const std::array<Coefficient, most + 1>& c) {
   Vector x{};
-  for (std::size_t i = 0; i < n; ++i) {
-    const Coefficient angle = 2 * Coefficient(i) + 0.7L;
-    x[i] = {0.3L * std::cos(angle), 0.3L * std::sin(angle)};
-  }
+  Complex start{0.4L, 0};
+  for (std::size_t i = 0; i < n; ++i) x[i] = start = start * Complex{0.4L, 0.9L};
   for (int sweep = 0; sweep < 200; ++sweep)
     for (std::size_t i = 0; i < n; ++i) {
       Complex value{c[n], 0}, slope{};

@@ -60,7 +60,7 @@ class VariableOrderRadauStepper {
   void start() { high_.start(), active_ = 2; }
   void start(const ErrorControl& control) {
     control_ = &control;
-    active_ = 0, steps_at_order_ = 0;
+    active_ = 0, steps_at_order_ = 0, failed_ = false;
     low_.start(control);
   }
   StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
@@ -73,13 +73,15 @@ class VariableOrderRadauStepper {
   Real own_factor(Real h, double norm) {
     const Real factor = with_active([&](auto& s) { return s.own_factor(h, norm); });
     const Real theta = with_active([](auto& s) { return s.newton().slowest_rate(); });
-    const bool failed = !(norm < 1e300);
-    if (active_ > 0 && (failed || !(theta < Real(0.8)))) {
+    failed_ = failed_ || !(norm < 1e300);
+    if (!(norm <= 1)) return factor;
+    if (active_ > 0 && (failed_ || !(theta < Real(0.8)))) {
       change_order(active_ - 1);
-    } else if (norm <= 1 && active_ < 2 && steps_at_order_ >= 10 && theta <= Real(0.002) &&
-               factor > Real(0.8) && factor < Real(1.2)) {
+    } else if (active_ < 2 && steps_at_order_ >= 10 && theta <= Real(0.002) && factor > Real(0.8) &&
+               factor < Real(1.2)) {
       change_order(active_ + 1);
     }
+    failed_ = false;
     return factor;
   }
   NewtonCounts newton_counts() const {
@@ -105,6 +107,7 @@ class VariableOrderRadauStepper {
   StepperOf<radau_iia13, P> high_;
   const ErrorControl* control_ = nullptr;
   int active_ = 0, steps_at_order_ = 0;
+  bool failed_ = false;  // an attempt since the last accepted step
 };
 
 }  // namespace odemark
