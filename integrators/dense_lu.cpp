@@ -26,10 +26,17 @@ Real* DenseLu<Real>::jacobian() {
 }
 
 template <class Real>
-void DenseLu<Real>::factorize(Real diagonal) {
+bool DenseLu<Real>::factorize(Real diagonal) {
   impl_->matrix.noalias() = -diagonal * impl_->jacobian;
   impl_->matrix.diagonal().array() += Real(1);
   impl_->lu.compute(impl_->matrix);
+  const auto pivots = impl_->lu.matrixLU().diagonal();
+  const auto& row = impl_->lu.permutationP().indices();
+  bool positive = true;  // by counting inversions: Eigen's determinant of a permutation takes memory
+  for (Eigen::Index i = 0; i < row.size(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j) positive = positive != (row[j] > row[i]);
+  for (Eigen::Index i = 0; i < pivots.size(); ++i) positive = positive != (pivots[i] < 0);
+  return positive;
 }
 
 template <class Real>

@@ -16,7 +16,8 @@ class DenseLu {
 
   /// Column-major size x size storage for the problem to write its Jacobian into.
   Real* jacobian();
-  void factorize(Real diagonal);
+  /// Says whether the determinant is positive, as it is for short steps.
+  bool factorize(Real diagonal);
   /// Overwrites `rhs` with the solution. No allocation.
   void solve_in_place(Real* rhs);
 

@@ -32,6 +32,7 @@ struct ExponentialRungeKutta {
   static constexpr bool from_jacobian = Part == LinearPart::jacobian;
 
   std::string_view id, source, advice;
+  std::string_view note = "";
   int order;
   int embedded_order = 0;
   std::array<Coefficient, Stages> c{};

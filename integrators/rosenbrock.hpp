@@ -21,6 +21,7 @@ struct Rosenbrock {
   static constexpr std::size_t stages = Stages;
 
   std::string_view id, source, advice;
+  std::string_view note = "";
   int order;
   int embedded_order = 0;
   bool w_method = false;  // keeps its order whatever matrix stands for the Jacobian
@@ -45,8 +46,10 @@ struct Rosenbrock {
   using Stepper = RosenbrockStepper<method, P>;
 };
 
-/// f, J and f_t at the start of a step outlive a rejected attempt: another h costs stages and a
-/// factorization.
+/// A step on which det(I - h g J) has changed its sign lies beyond a pole of R: a growing mode would come
+/// back from the other side of infinity, and a solution that ends would be stepped over. It fails, as an
+/// implicit stage would. f, J and f_t at the start of a step outlive a rejected attempt: another h costs
+/// stages and a factorization.
 template <const auto& method, System P>
 class RosenbrockStepper {
  public:
@@ -74,9 +77,23 @@ class RosenbrockStepper {
   NewtonCounts newton_counts() const { return {factorizations_, 0}; }
 
   [[gnu::always_inline]] StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
+    if constexpr (fixed_size < State >> 0)
+      return take_step(t, y, h, next, error);
+    else
+      return take_step_out_of_line(t, y, h, next, error);
+  }
+
+ private:
+  /// Where the size is not known there is nothing to gain from a copy of the step in every loop.
+  [[gnu::noinline]] StepStatus take_step_out_of_line(Real t, const State& y, Real h, State& next,
+                                                     State& error) {
+    return take_step(t, y, h, next, error);
+  }
+  [[gnu::always_inline]] StepStatus take_step(Real t, const State& y, Real h, State& next, State& error) {
     if (!linearized_) linearize(t, y, h);
-    lu_.factorize(h * static_cast<Real>(form.diagonal));
+    const bool before_pole = lu_.factorize(h * static_cast<Real>(form.diagonal));
     ++factorizations_;
+    if (!before_pole) return StepStatus::newton_diverged;
     [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (evaluate_stage<I>(t, y, h), ...);
     }
@@ -94,7 +111,6 @@ class RosenbrockStepper {
     return StepStatus::ok;
   }
 
- private:
   static constexpr auto form = method.form();
 
   template <std::size_t I>

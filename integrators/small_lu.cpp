@@ -17,12 +17,10 @@ Real* SmallLu<Real, 0>::jacobian() {
 }
 
 template <class Real>
-void SmallLu<Real, 0>::factorize(Real diagonal) {
-  if (dense_)
-    dense_->factorize(diagonal);
-  else
-    detail::small_lu_factorize(size_, diagonal, jacobian_.data(), matrix_.data(), reciprocal_.data(),
-                               pivot_.data());
+bool SmallLu<Real, 0>::factorize(Real diagonal) {
+  if (dense_) return dense_->factorize(diagonal);
+  return detail::small_lu_factorize(size_, diagonal, jacobian_.data(), matrix_.data(), reciprocal_.data(),
+                                    pivot_.data());
 }
 
 template <class Real>

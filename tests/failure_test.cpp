@@ -64,6 +64,10 @@ TEST(Failure, ASingularityEndsExplicitFixedSteps) {
   const auto problem = probe::problem<probe::Blowup>();
   for_each_run(problem, [&](const AnyMethod& method, const Row& row, bool adaptive) {
     if (adaptive) return;
+    if (method.note.find("steps over a singularity") != std::string_view::npos) {
+      EXPECT_EQ(row.status, "reached_end") << "its note is not true";
+      return;
+    }
     EXPECT_NE(row.status, "reached_end") << "a number beyond the end of the solution";
     EXPECT_GT(row.t_reached, 0.9) << row.status;
     EXPECT_LT(row.t_reached, 1.2) << row.status;

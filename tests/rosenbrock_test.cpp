@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "integrators/catalogue.hpp"
+#include "integrators/erase_method.hpp"
 #include "integrators/rosenbrock_order.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
@@ -67,7 +68,7 @@ int check() {
     SCOPED_TRACE(method.id);
     const AnyMethod& erased = suite_method(method.id);
     constexpr int whatever = w_order(method.alpha, method.gamma, method.b, method.order);
-    const auto problem = probe::problem<probe::DrivenDamped>("t_end=2");
+    const auto problem = probe::problem<probe::Driven>("t_end=2");
     const double exact = slope(erased, problem, 0, 0), wrong_matrix = slope(erased, problem, 1, 0),
                  wrong_time = slope(erased, problem, 0, 1);
     std::printf(
@@ -143,7 +144,7 @@ double end_error(const P& system, long steps) {
 TEST(Rosenbrock, TheTimeDerivativeIsNeededAndTaken) {
   EXPECT_LT(end_error(Prothero{true}, 100), 1e-8);
   EXPECT_GT(end_error(Prothero{false}, 100), 1e-5);
-  EXPECT_GT(std::log2(end_error(Prothero{true}, 100) / end_error(Prothero{true}, 200)), 3.5);
+  EXPECT_GT(std::log2(end_error(Prothero{true}, 100) / end_error(Prothero{true}, 200)), 3);
   EXPECT_LT(std::log2(end_error(Prothero{false}, 100) / end_error(Prothero{false}, 200)), 1.5);
   EXPECT_NEAR(end_error(PlainProthero{}, 100), end_error(Prothero{true}, 100), 1e-9);
 }
@@ -175,6 +176,23 @@ TEST(SmallLu, SolvesWithPivotsInEitherForm) {
   fixed.solve_in_place(rhs.data()), dynamic.solve_in_place(other.data());
   for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(rhs[i], x[i], 1e-14);
   EXPECT_EQ(rhs, other);
+}
+
+TEST(SmallLu, TellsTheSignOfTheDeterminant) {
+  // det(I - d J) is the product of 1 - d lambda: one eigenvalue, 3, lies beyond 1/d for d = 1/2
+  for (const std::size_t blocks : {1u, 3u, 4u}) {
+    const std::size_t n = 3 * blocks;
+    SmallLu<double, 0> lu(n);
+    for (std::size_t b = 0; b < blocks; ++b)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double lambda[3] = {b == 0 ? 3.0 : 0.125, -2, 0.25};
+        // large entries below the diagonal leave the eigenvalues alone and make the pivots move
+        lu.jacobian()[(3 * b + i) * n + 3 * b + i] = lambda[i];
+        if (i > 0) lu.jacobian()[(3 * b + i - 1) * n + 3 * b + i] = 100;
+      }
+    EXPECT_TRUE(lu.factorize(0.25)) << n;
+    EXPECT_FALSE(lu.factorize(0.5)) << n;
+  }
 }
 
 }  // namespace

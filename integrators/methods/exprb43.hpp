@@ -9,6 +9,7 @@ inline constexpr ExponentialRungeKutta<3, LinearPart::jacobian> exprb43{
     .advice =
         "stiff or oscillating problems of few equations at 1e-5 and below, three evaluations and a matrix "
         "exponential a step",
+    .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .order = 4,
     .embedded_order = 3,
     .c = {0, 1.0L / 2, 1},

@@ -17,6 +17,7 @@ inline constexpr Rosenbrock<2> ros2{
     .advice =
         "positive concentrations and dt far above the fast scales, at a few percent; its error constant is "
         "large",
+    .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .order = 2,
     .embedded_order = 1,
     .w_method = true,

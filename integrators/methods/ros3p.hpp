@@ -14,6 +14,7 @@ inline constexpr Rosenbrock<3> ros3p{
     .advice =
         "diffusion and other parabolic problems at 1e-2 to 1e-4, two evaluations a step; not L-stable (R = "
         "-0.73 at infinity)",
+    .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .order = 3,
     .embedded_order = 2,
     .alpha = {{{}, {1}, {1}}},
