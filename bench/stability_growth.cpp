@@ -57,10 +57,14 @@ Real squared_growth(std::size_t size, std::vector<Real> matrix, int most) {
 
 long double matrix_growth(std::size_t size, const std::vector<long double>& matrix) {
   if (size == 2) return growth_of_two_by_two(matrix[0], matrix[1], matrix[2], matrix[3]);
-  // most steps are far from the boundary, and double tells that in a fifth of the time
+  return growth_by_squaring(size, matrix);
+}
+
+long double plain_growth(std::size_t size, const std::vector<long double>& matrix) {
+  if (size == 2) return matrix_growth(size, matrix);
   const double growth = squared_growth<double>(size, {matrix.begin(), matrix.end()}, 54);
   if (std::isfinite(growth) && std::abs(growth) > 1e-3) return static_cast<long double>(growth);
-  return growth_by_squaring(size, matrix);
+  return matrix_growth(size, matrix);
 }
 
 long double growth_by_squaring(std::size_t size, std::vector<long double> matrix) {
@@ -90,6 +94,11 @@ double StepProbe::tolerance(double z) const { return std::max(1e-12, 50 * unit_ 
 StepGrowth StepProbe::operator()(double dt) const {
   const Step step = step_(dt);
   return {step.solved, matrix_growth(step.size, step.matrix)};
+}
+
+StepGrowth StepProbe::judge(double dt) const {
+  const Step step = step_(dt);
+  return {step.solved, plain_growth(step.size, step.matrix)};
 }
 
 /// Which of the moved matrices has real and which complex eigenvalues is chance, so neighbours are asked as

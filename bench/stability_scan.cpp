@@ -116,7 +116,7 @@ class Scanner {
 }  // namespace
 
 ScanSubject subject_of(const StepProbe& probe) {
-  return {[&probe](double dt) { return probe(dt); }, [&probe](double z) { return probe.tolerance(z); },
+  return {[&probe](double dt) { return probe.judge(dt); }, [&probe](double z) { return probe.tolerance(z); },
           [&probe](double dt) { return probe.noise(dt); }, probe.floor()};
 }
 

@@ -29,9 +29,9 @@ class BdfDriver {
         scratch_(model),
         lu_(size_) {
     differences_.fill(zeros_like(model));
+    // a looser solve costs rejections on relaxation oscillations, a tighter one evaluations everywhere
     const double tolerance = control.relative_tolerance + control.absolute_tolerance;
-    const double rounding = 10 * double(std::numeric_limits<Real>::epsilon()) / tolerance;
-    newton_tolerance_ = std::max(rounding, std::min(0.03, std::sqrt(tolerance)));
+    newton_tolerance_ = std::max(10 * double(std::numeric_limits<Real>::epsilon()) / tolerance, 0.003);
   }
 
   template <class Observer>

@@ -20,7 +20,7 @@ class LinearlyImplicitTable {
   /// Evaluations up to this row, with the Jacobian counted as five and a factorization as two.
   static constexpr double work(std::size_t row) {
     double sum = 5;
-    for (std::size_t j = 0; j <= row; ++j) sum += substeps(j) + (substeps(j) == 2 ? 3 : 2);
+    for (std::size_t j = 0; j <= row; ++j) sum += substeps(j) + (substeps(j) <= 2 ? 3 : 2);
     return sum;
   }
   static constexpr int error_power(std::size_t row) { return int(row) + 1; }
@@ -56,7 +56,7 @@ class LinearlyImplicitTable {
         length += std::abs(move_.data()[i]);
       });
       if (!std::isfinite(length)) return false;
-      if (m == 1 && count == 2 && !contracts(t + small, small, length)) return false;
+      if (m == 1 && count <= 2 && !contracts(t + small, small, length)) return false;
     }
     extrapolate(row, best, difference);
     return true;

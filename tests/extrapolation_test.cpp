@@ -33,12 +33,12 @@ TEST(Extrapolation, RowsAreRungeKuttaMethodsOfTheOrdersClaimed) {
   expect_orders<gragg_bulirsch_stoer10, 26>();
 }
 
-struct Run {
+struct Result {
   long evaluations, accepted;
   double error;
 };
-Run run_with(std::string_view id, const AnyProblem& problem, double tolerance,
-             const std::vector<long double>& end) {
+Result run_with(std::string_view id, const AnyProblem& problem, double tolerance,
+                const std::vector<long double>& end) {
   const AnyMethod& method = suite_method(id);
   ErrorControl control{tolerance, tolerance};
   control.scale = problem.scale.data();
@@ -55,8 +55,8 @@ TEST(Extrapolation, TheOrderFollowsTheTolerance) {
   for (const char* id : {"lorenz63", "kepler_e06"}) {
     const auto problem = suite_problem(id);
     const auto end = fine_end(problem, 4096);
-    const Run loose = run_with("gragg_bulirsch_stoer", problem, 1e-6, end),
-              tight = run_with("gragg_bulirsch_stoer", problem, 1e-12, end);
+    const Result loose = run_with("gragg_bulirsch_stoer", problem, 1e-6, end),
+                 tight = run_with("gragg_bulirsch_stoer", problem, 1e-12, end);
     EXPECT_LT(tight.error, 1e-4 * loose.error) << id;
     // at order 5 a million times less error costs sixteen times the work; steps hardly shrink here
     EXPECT_LT(tight.evaluations, 5 * loose.evaluations) << id;
@@ -73,10 +73,10 @@ TEST(Extrapolation, LinearlyImplicitStepsFollowTheSlowSolution) {
   const std::vector<long double> unused(problem.size(), 0);
   long before = 0;
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
-    const Run run = run_with("linearly_implicit_euler_extrapolation", problem, tolerance, unused);
-    EXPECT_LT(run.accepted, 200) << tolerance;
-    EXPECT_GT(run.evaluations, before) << tolerance;
-    before = run.evaluations;
+    const Result ran = run_with("linearly_implicit_euler_extrapolation", problem, tolerance, unused);
+    EXPECT_LT(ran.accepted, 200) << tolerance;
+    EXPECT_GT(ran.evaluations, before) << tolerance;
+    before = ran.evaluations;
   }
 }
 
