@@ -114,6 +114,12 @@ std::vector<MeasuredFact> nonlinear_facts(const AnyMethod& method, const std::st
   std::vector<MeasuredFact> out;
   if (!method.runs<T>().solve || !method.takes_fixed_steps) return out;
   static const AnyProblem pendulum = find_problem(suite_families(), "pendulum_rotating");
+  const Quadrature<T> still{0};
+  if ((method.needs & ~still.view().abilities) == 0) {  // codes that choose their own steps say so when asked
+    std::vector<T> y(2, T(0));
+    if (method.runs<T>().solve(still.view(), FixedSteps{1}, 0, 1, y).status == RunStatus::not_applicable)
+      return out;
+  }
   const MethodFacts facts =
       method_facts(method.theory ? method.theory() : Theory{}, method.order, method.embedded_order);
   if ((method.needs & ~pendulum.abilities) == 0) {
