@@ -86,6 +86,18 @@ RowTiming timing_from(const Json& j) {
           text(j, "tier")};
 }
 
+Json local_json(const RowLocal& l) {
+  return {{"judged", l.judged}, {"deceived", l.deceived}, {"worst", l.worst}};
+}
+RowLocal local_from(const Json& j) {
+  return {j.value("judged", 0L), j.value("deceived", 0L), number(j, "worst")};
+}
+
+Json steps_json(const RowSteps& s) { return {{"time", s.time}, {"step", s.step}}; }
+RowSteps steps_from(const Json& j) {
+  return {j.value("time", std::vector<double>{}), j.value("step", std::vector<double>{})};
+}
+
 Row row_from(const Json& j) {
   Row r;
   r.id = text(j, "id"), r.plan = text(j, "plan");
@@ -105,6 +117,8 @@ Row row_from(const Json& j) {
   if (j.contains("drift"))
     for (const auto& [name, value] : j["drift"].items())
       r.drift[name] = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  if (j.contains("local")) r.local = local_from(j["local"]);
+  if (j.contains("history")) r.history = steps_from(j["history"]);
   if (j.contains("timing")) r.timing = timing_from(j["timing"]);
   r.state_hash = text(j, "state_hash");
   if (r.id.empty() || r.status.empty()) throw std::invalid_argument("a run needs \"id\" and \"status\"");
@@ -199,6 +213,8 @@ std::string to_json_line(const Row& r) {
       drift[name] = std::isfinite(value) ? Json(value) : Json(nullptr);
     j["drift"] = drift;
   }
+  if (r.local) j["local"] = local_json(*r.local);
+  if (r.history) j["history"] = steps_json(*r.history);
   if (r.timing) j["timing"] = timing_json(*r.timing);
   put(j, "state_hash", r.state_hash);
   return j.dump();

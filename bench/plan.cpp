@@ -21,6 +21,8 @@ struct Suite {
   std::string_view precision;  // problems on which number types and compensated sums are compared
   int precision_rungs;
   bool timing;
+  bool adaptive_only = false;       // error control only, from 1e-2, tolerance by tolerance over all methods
+  double time_limit_seconds = 1e9;  // of a counted run, where the user sets no shorter one
 };
 
 constexpr std::string_view quick_methods =
@@ -42,6 +44,9 @@ constexpr Suite suites[] = {
      "drag_ship,drag_ship_quadratic,oscillator,damped_spring,stiff_spring,pendulum,free_rigid_body,kepler_"
      "e02,van_der_pol,lorenz63,robertson",
      7, 1L << 16, 9, "oscillator", 8, false},
+    // a second is a thousand times what the best codes need here
+    {"work_precision", "", "lorenz63_t5,kepler_e05,pleiades,van_der_pol_mu1000,robertson,hires", 0, 0, 13, "",
+     0, true, true, 0.5},
 };
 
 const Suite& find_suite(std::string_view name) {
@@ -103,11 +108,12 @@ long steps_for(const AnyProblem& problem, double dt) {
   return static_cast<long>(count);
 }
 
-RunRequest base_request(const PlanOptions& options, bool timing) {
+RunRequest base_request(const PlanOptions& options, const Suite& suite, bool timing) {
   RunRequest request;
   request.filter = filter_of(options.filter);
-  request.time_limit_seconds = options.time_limit_seconds;
-  if (timing && options.timing) request.timing_repeats = 5, request.timing_seconds = 0.002;
+  request.time_limit_seconds = std::min(options.time_limit_seconds, suite.time_limit_seconds);
+  if (timing && options.timing)
+    request.timing_repeats = suite.adaptive_only ? 15 : 5, request.timing_seconds = 0.002;
   return request;
 }
 
@@ -155,18 +161,18 @@ std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& o
     const auto shared = std::make_shared<const AnyProblem>(problem);
     std::vector<long> counts;
     for (const double dt : options.dts) counts.push_back(steps_for(problem, dt));
-    if (options.dts.empty() && options.tolerances.empty())
+    if (options.dts.empty() && options.tolerances.empty() && !suite.adaptive_only)
       counts = step_ladder(problem, suite.rungs, suite.most_steps);
     std::vector<double> tolerances = options.tolerances;
     if (options.dts.empty() && options.tolerances.empty())
-      for (int digits = 3; digits <= suite.finest_tolerance; ++digits)
+      for (int digits = suite.adaptive_only ? 2 : 3; digits <= suite.finest_tolerance; ++digits)
         tolerances.push_back(std::pow(10.0, -digits));
     for (const double tolerance : tolerances)
       if (!(tolerance > 0) || !(tolerance < 1))
         throw BadInput(fmt::format("tol={:g} is no tolerance: it must lie between 0 and 1", tolerance));
     for (const AnyMethod* method : methods)
       for (const ScalarType scalar : scalars) {
-        RunRequest request = base_request(options, suite.timing);
+        RunRequest request = base_request(options, suite, suite.timing);
         request.scalar = scalar;
         request.compensated = options.compensated;
         if (method->takes_fixed_steps)
@@ -182,14 +188,27 @@ std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& o
             // burn time
             if (options.tolerances.empty() && tolerance < std::pow(10.0, -3.5 - 2 * method->order)) continue;
             request.rtol = tolerance;
+            request.step_sizes = suite.adaptive_only;
+            request.local_errors = suite.adaptive_only && std::lround(-std::log10(tolerance)) % 3 == 0;
             // the listing has no first step of its own: it is called with the frame's dt
             if (method->kind == "chapter listing") request.first_step = 8 * problem.suggested_dt;
             plan.push_back({method, shared, request, "work_precision"});
           }
       }
   }
+  // codes are compared at the same tolerance: those runs are neighbours in time, so that drift of the machine
+  // hits all
+  if (suite.adaptive_only)
+    for (auto first = plan.begin(); first != plan.end();) {
+      const auto last =
+          std::find_if(first, plan.end(), [&](const PlannedRun& p) { return p.problem != first->problem; });
+      std::stable_sort(first, last, [](const PlannedRun& a, const PlannedRun& b) {
+        return a.request.rtol.value_or(1) > b.request.rtol.value_or(1);
+      });
+      first = last;
+    }
   if (options.dts.empty() && options.tolerances.empty() && options.scalars.empty() && !options.compensated &&
-      options.problems.empty())
+      options.problems.empty() && !suite.adaptive_only)
     for (const auto& problem : select_problems(registry, suite.precision)) {
       const auto shared = std::make_shared<const AnyProblem>(problem);
       for (const AnyMethod* method : methods)
@@ -199,7 +218,7 @@ std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& o
             if (method->provider != "odemark" || !method->takes_fixed_steps ||
                 (compensated && !method->compensated))
               continue;
-            RunRequest request = base_request(options, false);
+            RunRequest request = base_request(options, suite, false);
             request.scalar = scalar, request.compensated = compensated, request.trajectory = false;
             for (const long count : step_ladder(problem, suite.precision_rungs, suite.most_steps)) {
               request.steps = count;

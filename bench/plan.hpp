@@ -18,7 +18,7 @@ struct PlannedRun {
 
 /// What `odemark run` was asked for. Empty lists mean: what the suite says.
 struct PlanOptions {
-  std::string suite = "quick";  // quick, standard, full or gate
+  std::string suite = "quick";  // quick, standard, full, gate or work_precision
   std::string methods, problems, settings;
   std::vector<double> dts;         // fixed steps: instead of the suite's ladder
   std::vector<double> tolerances;  // error control: instead of the suite's ladder

@@ -9,6 +9,7 @@
 
 #include "bench/measure.hpp"
 #include "bench/static_run.hpp"
+#include "bench/step_record.hpp"
 
 namespace odemark {
 
@@ -142,10 +143,14 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
   std::vector<long double> wide(problem.size());
   Trace<T> trace;
   if (request.trajectory) trace.grid = common_times(problem);
+  std::optional<StepRecord> record;
+  if (request.rtol && (request.step_sizes || request.local_errors))
+    record.emplace(problem, std::vector<long double>(y.begin(), y.end()));
   double last_finite = problem.t_begin;  // fixed steps go on through NaN: where the numbers ended
   trace.on_step = [&](T t, const T* state) {
     std::copy_n(state, wide.size(), wide.begin());
     if (all_finite(wide)) last_finite = static_cast<double>(t);
+    if (record) record->add(t, wide);
     return watch(wide) && !(stop && stop->load(std::memory_order_relaxed));
   };
   RunReport report;
@@ -170,6 +175,8 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
               report.newton.newton,
               counts.rhs + counts.acceleration + counts.series * method.order};
   row.state_hash = hash_bits(y);
+  if (record && request.step_sizes) row.history = record->history(64);
+  if (record && request.local_errors) row.local = record->local_errors(std::get<ErrorControl>(control), 48);
   watch.fill(row);
   std::copy(y.begin(), y.end(), wide.begin());
   const std::vector<long double> samples(trace.samples.begin(), trace.samples.end());

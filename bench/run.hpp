@@ -29,6 +29,8 @@ struct RunRequest {
   double timing_seconds = 0.02;    // repeat until this much time is spent, at least timing_repeats times
   double time_limit_seconds = 20;  // of the counted run
   bool trajectory = true;          // compare on the common time grid too
+  bool step_sizes = false;         // error control: keep the history of the step
+  bool local_errors = false;  // error control: compare single steps with the solution through their start
 };
 
 /// Never throws for numerical reasons: a failed run is a row with its status. Throws std::logic_error if the

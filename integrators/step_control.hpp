@@ -21,7 +21,9 @@ struct FixedSteps {
 /// Exponents of the step-size filter; presets below. G. Soderlind, ACM TOMS 29 (2003) 1-26. While the factor
 /// that the error alone asks for lies in [keep_above, keep_below] the step stays as it is: the next step then
 /// waits for nothing but its own start, the processor guesses the outcome and works on while the error is
-/// still being measured.
+/// still being measured. Outside the band the exponents are those of `pi`: with the elementary ones a step
+/// held down by stability is rejected in a quarter of all attempts (bogacki_shampine32 on y' = -2000 (y - cos
+/// t)), so in one of seventeen.
 struct StepFilter {
   std::string_view id;
   double error, previous_error, previous_ratio;
@@ -30,7 +32,7 @@ struct StepFilter {
 inline constexpr StepFilter elementary_filter{"elementary", 1.0, 0.0, 0.0};
 inline constexpr StepFilter pi_filter{"pi", 0.7, -0.4, 0.0};
 inline constexpr StepFilter h211b_filter{"h211b", 0.25, 0.25, 0.25};
-inline constexpr StepFilter dead_band_filter{"dead_band", 1.0, 0.0, 0.0, 0.93, 1.33};
+inline constexpr StepFilter dead_band_filter{"dead_band", 0.7, -0.4, 0.0, 0.93, 1.33};
 inline constexpr std::array<const StepFilter*, 4> step_filters{&elementary_filter, &pi_filter, &h211b_filter,
                                                                &dead_band_filter};
 inline constexpr const StepFilter& default_filter = dead_band_filter;

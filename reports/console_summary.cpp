@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "reports/cheapest.hpp"
 #include "reports/convergence.hpp"
 #include "reports/failures.hpp"
 #include "reports/format.hpp"
 #include "reports/observed_order.hpp"
+#include "reports/speed_ratio.hpp"
 #include "reports/stability_page.hpp"
 #include "reports/table.hpp"
 #include "reports/work_curves.hpp"
@@ -91,6 +93,15 @@ std::string counts(const std::vector<Row>& rows, const std::vector<StabilityRow>
   return text + (why.empty() ? "\n" : fmt::format("; {}\n", why));
 }
 
+/// The suite that compares codes at their tolerances answers with its ratios.
+std::optional<std::string> ratio_text(const std::vector<Row>& rows,
+                                      const std::vector<ProblemCurves>& problems) {
+  const bool adaptive_only = std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.rtol; });
+  if (!adaptive_only || !compares_codes(problems)) return std::nullopt;
+  const Table table = speed_ratio_table(speed_ratios(problems));
+  return fmt::format("\n{}\n{}{}\n\n", table.title, to_text(table), table.note);
+}
+
 }  // namespace
 
 std::string console_summary(const std::vector<Row>& all_rows, const std::vector<StabilityRow>& stability) {
@@ -113,6 +124,7 @@ std::string console_summary(const std::vector<Row>& all_rows, const std::vector<
   std::string text = table.rows.empty() ? "" : to_text(table) + "\n";
   if (problems.size() > most_lines)
     text += fmt::format("{} more problems are in the report\n", problems.size() - most_lines);
+  if (const auto ratios = ratio_text(rows, problems)) text += *ratios;
   return text + counts(all_rows, stability, orders);
 }
 

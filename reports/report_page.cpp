@@ -116,6 +116,7 @@ Page report_page(const ReportInput& input) {
     page.sections.push_back(problem_section(data, problem, with_charts, true));
   if (!data.orders.empty()) page.sections.push_back(orders_section(data));
   page.sections.push_back(stability_section(input.stability, input.pictures, data.palette));
+  page.sections.push_back(tolerance_section(data));
   if (!data.precision.empty()) page.sections.push_back(precision_section(data));
   page.sections.push_back(conservation_section(data));
   page.sections.push_back(failures_section(data));

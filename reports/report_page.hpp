@@ -56,6 +56,7 @@ Section cheapest_section(const ReportData& data);
 /// `linked`: with a link to the page of the problem.
 Section problem_section(const ReportData& data, const ProblemCurves& problem, bool with_charts, bool linked);
 Section orders_section(const ReportData& data);
+Section tolerance_section(const ReportData& data);
 Section precision_section(const ReportData& data);
 Section conservation_section(const ReportData& data);
 Section failures_section(const ReportData& data);

@@ -12,6 +12,8 @@
 #include "reports/format.hpp"
 #include "reports/precision.hpp"
 #include "reports/report_page.hpp"
+#include "reports/speed_ratio.hpp"
+#include "reports/tolerance.hpp"
 #include "reports/trajectory_page.hpp"
 #include "reports/work_precision.hpp"
 
@@ -110,6 +112,7 @@ Section cheapest_section(const ReportData& data) {
   const bool timed =
       std::any_of(data.problems.begin(), data.problems.end(), [](const ProblemCurves& p) { return p.timed; });
   if (timed) section.blocks.push_back(cheapest_table(data.problems, Cost::time));
+  if (compares_codes(data.problems)) section.blocks.push_back(speed_ratio_table(speed_ratios(data.problems)));
   return section;
 }
 
@@ -144,6 +147,33 @@ Section orders_section(const ReportData& data) {
                          c.total(), c.holds, c.fails, c.exceeds, c.inconclusive));
   if (c.fails) section.blocks.push_back(failed_orders(data.orders, data.input.pictures.methods));
   section.blocks.push_back(order_matrix(data.orders));
+  return section;
+}
+
+Section tolerance_section(const ReportData& data) {
+  Section section{"tolerance", "Tolerance", {}};
+  // of suites that look at single steps: a line per code and problem is much for a page about something else
+  if (std::none_of(data.rows.begin(), data.rows.end(), [](const Row& r) { return r.local.has_value(); }))
+    return section;
+  const auto codes = calibrations(data.rows);
+  long judged = 0, deceived = 0, honest = 0, sloped = 0;
+  for (const Calibration& code : codes) {
+    judged += code.judged, deceived += code.deceived;
+    if (!code.slope || !code.expected_slope) continue;
+    ++sloped;
+    honest += std::abs(*code.slope - *code.expected_slope) <= 0.2;
+  }
+  if (sloped > 0)
+    add_answer(section,
+               fmt::format("In {} of {} cases the error at the end follows the tolerance as theory says, "
+                           "to within 0.2 of the slope.",
+                           honest, sloped));
+  if (judged > 0)
+    add_answer(section,
+               fmt::format("Of {} accepted steps judged against the exact solution through their start, "
+                           "{} had a true error above the tolerance.",
+                           judged, deceived));
+  section.blocks.push_back(calibration_table(codes));
   return section;
 }
 

@@ -41,6 +41,19 @@ struct RowTiming {
   std::string tier;  // "static": right-hand side inlined; "erased": called through a pointer
 };
 
+/// DETEST's measure of an error control: each accepted step against the exact solution through its own start,
+/// in units of the tolerance (T. E. Hull et al., SIAM J. Numer. Anal. 9 (1972) 603-637).
+struct RowLocal {
+  long judged = 0;    // accepted steps whose local solution is known well enough
+  long deceived = 0;  // of those: the true local error is above the tolerance
+  double worst = 0;   // largest true local error over the tolerance
+};
+
+/// The sizes of accepted steps along a run, thinned out: step[i] was taken at time[i].
+struct RowSteps {
+  std::vector<double> time, step;
+};
+
 struct Row {
   // identity
   std::string id;    // plan/problem/method/scalar[+compensated]/steps=N or rtol=X: unique in a results file
@@ -68,6 +81,10 @@ struct Row {
   double truth_digits = 0;
   std::map<std::string, double>
       drift;  // largest change of each invariant over the run, relative to its start
+
+  // how honest, where it was asked for
+  std::optional<RowLocal> local;
+  std::optional<RowSteps> history;
 
   // how fast
   std::optional<RowTiming> timing;
