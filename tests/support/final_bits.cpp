@@ -6,10 +6,15 @@
 #include "integrators/integrate.hpp"
 #include "integrators/methods/adams_bashforth3.hpp"
 #include "integrators/methods/dormand_prince54.hpp"
+#include "integrators/methods/esdirk43.hpp"
 #include "integrators/methods/explicit_euler.hpp"
 #include "integrators/methods/implicit_midpoint.hpp"
+<<<<<<< ours
 #include "integrators/methods/newmark_beta.hpp"
 #include "integrators/methods/rigid_body_splitting.hpp"
+=======
+#include "integrators/methods/radau_iia5.hpp"
+>>>>>>> theirs
 #include "integrators/methods/rk4.hpp"
 #include "integrators/methods/sdirk2.hpp"
 #include "integrators/methods/semi_implicit_euler.hpp"
@@ -66,13 +71,19 @@ void print_family(const char* problem, const F& family, long steps) {
   (print_end<methods, float>(problem, "float", family, steps), ...);
   print_controlled_end<dormand_prince54>(problem, family);
   print_controlled_end<taylor8>(problem, family);
+  print_controlled_end<esdirk43>(problem, family);
+  print_controlled_end<radau_iia5>(problem, family);
 }
 
 template <class F>
 void print_all(const char* problem, const F& family, long steps) {
   print_family<F, explicit_euler, rk4, dormand_prince54, tsitouras54, adams_bashforth3, semi_implicit_euler,
+<<<<<<< ours
                yoshida4, implicit_midpoint, sdirk2, taylor8, newmark_beta, rigid_body_splitting>(
       problem, family, steps);
+=======
+               yoshida4, implicit_midpoint, sdirk2, radau_iia5, taylor8>(problem, family, steps);
+>>>>>>> theirs
 }
 
 }  // namespace
