@@ -88,8 +88,8 @@ TEST(StabilityMeasured, EverySuiteMethodAgreesWithItsTheory) {
     return count_of([&](const AnyMethod& m) { return (m.needs & ability) != 0; });
   };
   // what has no single limit: the chapter's adaptive listing, what chooses its own steps or its stages
-  const std::size_t blank = count_of(
-      [](const AnyMethod& m) { return !m.takes_fixed_steps || !m.theory().blank_reason.empty(); });
+  const std::size_t blank =
+      count_of([](const AnyMethod& m) { return !m.takes_fixed_steps || !m.theory().blank_reason.empty(); });
   EXPECT_GE(compared + cannot_run, rows.size() - blank * problems.size());
   EXPECT_LE(blank, 16u);
   // forces without velocity: the oscillator alone among these; a body that turns: none

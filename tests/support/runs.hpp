@@ -13,9 +13,9 @@ inline void PrintTo(const AnyMethod& method, std::ostream* out) { *out << method
 
 /// Kinds whose steps can end because an equation has no solution that they find.
 inline bool solves_equations(const AnyMethod& method) {
-  for (const std::string_view kind : {"diagonally implicit Runge-Kutta", "fully implicit Runge-Kutta",
-                                      "variable-order Radau IIA", "Rosenbrock", "implicit multistep",
-                                      "linearly implicit extrapolation", "variable-order BDF"})
+  for (const std::string_view kind :
+       {"diagonally implicit Runge-Kutta", "fully implicit Runge-Kutta", "variable-order Radau IIA",
+        "Rosenbrock", "implicit multistep", "linearly implicit extrapolation", "variable-order BDF"})
     if (method.kind == kind) return true;
   return false;
 }
