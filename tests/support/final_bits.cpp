@@ -9,12 +9,9 @@
 #include "integrators/methods/esdirk43.hpp"
 #include "integrators/methods/explicit_euler.hpp"
 #include "integrators/methods/implicit_midpoint.hpp"
-<<<<<<< ours
 #include "integrators/methods/newmark_beta.hpp"
-#include "integrators/methods/rigid_body_splitting.hpp"
-    =======
 #include "integrators/methods/radau_iia5.hpp"
-    >>>>>>> theirs
+#include "integrators/methods/rigid_body_splitting.hpp"
 #include "integrators/methods/rk4.hpp"
 #include "integrators/methods/sdirk2.hpp"
 #include "integrators/methods/semi_implicit_euler.hpp"
@@ -28,63 +25,59 @@
 #include "problems/stiff_spring.hpp"
 #include "reference/make_family.hpp"
 
-    namespace {
+namespace {
 
-  using namespace odemark;
+using namespace odemark;
 
-  template <class T>
-  void print_bits(const char* problem, std::string_view method, const char* type, const std::vector<T>& y) {
-    std::printf("%s/%.*s/%s", problem, int(method.size()), method.data(), type);
-    for (const T& x : y) {
-      unsigned long long bits = 0;
-      std::memcpy(&bits, &x, sizeof(T));
-      std::printf(" %016llx", bits);
-    }
-    std::printf("\n");
+template <class T>
+void print_bits(const char* problem, std::string_view method, const char* type, const std::vector<T>& y) {
+  std::printf("%s/%.*s/%s", problem, int(method.size()), method.data(), type);
+  for (const T& x : y) {
+    unsigned long long bits = 0;
+    std::memcpy(&bits, &x, sizeof(T));
+    std::printf(" %016llx", bits);
   }
+  std::printf("\n");
+}
 
-  template <const auto& method, class T, class F>
-  void print_end(const char* problem, const char* type, const F& family, long steps) {
-    const ErasedSystem<T> system = erase<T>(family);
-    if (!missing_ability(KindOf<method>::needs, system.abilities).empty()) return;
-    std::vector<double> start(F::size);
-    family.initial(start.data());
-    std::vector<T> y(start.begin(), start.end());
-    StepperOf<method, ErasedSystem<T>> stepper(system, y);
-    integrate(stepper, FixedSteps{steps}, 0, 2, y);
-    print_bits(problem, method.id, type, y);
-  }
+template <const auto& method, class T, class F>
+void print_end(const char* problem, const char* type, const F& family, long steps) {
+  const ErasedSystem<T> system = erase<T>(family);
+  if (!missing_ability(KindOf<method>::needs, system.abilities).empty()) return;
+  std::vector<double> start(F::size);
+  family.initial(start.data());
+  std::vector<T> y(start.begin(), start.end());
+  StepperOf<method, ErasedSystem<T>> stepper(system, y);
+  integrate(stepper, FixedSteps{steps}, 0, 2, y);
+  print_bits(problem, method.id, type, y);
+}
 
-  template <const auto& method, class F>
-  void print_controlled_end(const char* problem, const F& family) {
-    const auto system = erase<double>(family);
-    std::vector<double> y(F::size);
-    family.initial(y.data());
-    StepperOf<method, ErasedSystem<double>> stepper(system, y);
-    integrate(stepper, system, ErrorControl{1e-7, 1e-9}, error_order<method>(), 0, 2, y);
-    print_bits(problem, method.id, "controlled", y);
-  }
+template <const auto& method, class F>
+void print_controlled_end(const char* problem, const F& family) {
+  const auto system = erase<double>(family);
+  std::vector<double> y(F::size);
+  family.initial(y.data());
+  StepperOf<method, ErasedSystem<double>> stepper(system, y);
+  integrate(stepper, system, ErrorControl{1e-7, 1e-9}, error_order<method>(), 0, 2, y);
+  print_bits(problem, method.id, "controlled", y);
+}
 
-  template <class F, const auto&... methods>
-  void print_family(const char* problem, const F& family, long steps) {
-    (print_end<methods, double>(problem, "double", family, steps), ...);
-    (print_end<methods, float>(problem, "float", family, steps), ...);
-    print_controlled_end<dormand_prince54>(problem, family);
-    print_controlled_end<taylor8>(problem, family);
-    print_controlled_end<esdirk43>(problem, family);
-    print_controlled_end<radau_iia5>(problem, family);
-  }
+template <class F, const auto&... methods>
+void print_family(const char* problem, const F& family, long steps) {
+  (print_end<methods, double>(problem, "double", family, steps), ...);
+  (print_end<methods, float>(problem, "float", family, steps), ...);
+  print_controlled_end<dormand_prince54>(problem, family);
+  print_controlled_end<taylor8>(problem, family);
+  print_controlled_end<esdirk43>(problem, family);
+  print_controlled_end<radau_iia5>(problem, family);
+}
 
-  template <class F>
-  void print_all(const char* problem, const F& family, long steps) {
-    print_family<F, explicit_euler, rk4, dormand_prince54, tsitouras54, adams_bashforth3, semi_implicit_euler,
-<<<<<<< ours
-                 yoshida4, implicit_midpoint, sdirk2, taylor8, newmark_beta, rigid_body_splitting>(
-        problem, family, steps);
-=======
-                 yoshida4, implicit_midpoint, sdirk2, radau_iia5, taylor8>(problem, family, steps);
->>>>>>> theirs
-  }
+template <class F>
+void print_all(const char* problem, const F& family, long steps) {
+  print_family<F, explicit_euler, rk4, dormand_prince54, tsitouras54, adams_bashforth3, semi_implicit_euler,
+               yoshida4, implicit_midpoint, sdirk2, radau_iia5, taylor8, newmark_beta, rigid_body_splitting>(
+      problem, family, steps);
+}
 
 }  // namespace
 
