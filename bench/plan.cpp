@@ -28,8 +28,9 @@ struct Suite {
 constexpr std::string_view quick_methods =
     "chapter*,explicit_*,step_doubling_euler,heun,rk4,rk38,bogacki_shampine32,dormand_prince54,tsitouras54,"
     "semi_implicit_euler,"
-    "stormer_verlet,velocity_verlet_*,yoshida4,adams_bashforth?,implicit_*,sdirk2,exponential_euler,taylor2,"
-    "taylor8,taylor20,"
+    "stormer_verlet,velocity_verlet_*,yoshida4,adams_bashforth2,adams_bashforth3,implicit_euler,"
+    "implicit_midpoint,implicit_trapezoid,sdirk2,exponential_euler,taylor2,taylor8,taylor20,"
+    "fehlberg78,radau_iia5,rodas4,bdf,"
     "cvode_*,arkode_*,gsl_rkf45,gsl_rk8pd,gsl_bsimp,gsl_msadams,gsl_msbdf,odeint_runge_kutta4,odeint_dopri5,"
     "odeint_fehlberg78,"
     "odeint_rosenbrock4,odeint_bulirsch_stoer";
