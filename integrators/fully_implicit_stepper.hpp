@@ -8,7 +8,7 @@
 #include "integrators/jacobian.hpp"
 #include "integrators/newton_control.hpp"
 #include "integrators/shifted_lu.hpp"
-#include "integrators/stage_tables.hpp"
+#include "integrators/stage_algebra.hpp"
 
 namespace odemark {
 
@@ -107,25 +107,21 @@ class FullyImplicitRungeKuttaStepper {
     if (control_) set_weights(y);
     if (!jacobian_is_current_ && (!keep_jacobian_ || rejections_ > 0)) refresh_jacobian(t, y);
     ++rejections_;  // until accept() says otherwise
+    factorize(h);
+    predict(h);
     if (!control_) {
-      factorize(h);
-      predict(h);
       if (!iterate_to_round_off(t, y, h, false)) {
         // the Jacobian of the start may be far from that of the stages: once more, with Newton proper
-        clear(z_);
+        clear_stages(z_);
         jacobian_is_current_ = false;
         if (!iterate_to_round_off(t, y, h, true)) return false;
       }
-    } else {
+    } else if (!iterate_to_tolerance(t, y, h)) {
+      if (jacobian_is_current_) return false;
+      refresh_jacobian(t, y);
       factorize(h);
       predict(h);
-      if (!iterate_to_tolerance(t, y, h)) {
-        if (jacobian_is_current_) return false;
-        refresh_jacobian(t, y);
-        factorize(h);
-        predict(h);
-        if (!iterate_to_tolerance(t, y, h)) return false;
-      }
+      if (!iterate_to_tolerance(t, y, h)) return false;
     }
     find_increment(t, y, h);
     return true;
@@ -153,45 +149,17 @@ class FullyImplicitRungeKuttaStepper {
                             {tables_.shift_re[real_modes + p] / h, tables_.shift_im[real_modes + p] / h});
   }
 
-  static void clear(Stages& stages) {
-    for (auto& s : stages) for_each_component(s, [&](std::size_t n) { s.data()[n] = Real(0); });
-  }
-  using Matrix = std::array<std::array<Real, S>, S>;
-  /// out_i = sum_j matrix_ij in_j, component by component.
-  static void combine(const Matrix& matrix, const Stages& in, Stages& out) {
-    for_each_component(in[0], [&](std::size_t n) {
-      std::array<Real, S> x;
-      for (std::size_t j = 0; j < S; ++j) x[j] = in[j].data()[n];
-      for (std::size_t i = 0; i < S; ++i) {
-        Real sum = matrix[i][0] * x[0];
-        for (std::size_t j = 1; j < S; ++j) sum += matrix[i][j] * x[j];
-        out[i].data()[n] = sum;
-      }
-    });
-  }
-
   /// Starting values: the polynomial through the stages of the last step, continued.
   void predict(Real h) {
     if (!(last_h_ != 0)) {
-      clear(z_);
-      if (control_) clear(w_);
+      clear_stages(z_);
+      if (control_) clear_stages(w_);
       return;
     }
-    const Real ratio = h / last_h_;
-    Matrix weight;
-    for (std::size_t i = 0; i < S; ++i) {
-      const Real x = 1 + tables_.c[i] * ratio;
-      for (std::size_t j = 0; j < S; ++j) {
-        Real product = starts_at_node ? tables_.extrapolate[j] : tables_.extrapolate[j] * x;
-        for (std::size_t m = 0; m < S; ++m)
-          if (m != j) product *= x - tables_.c[m];
-        weight[i][j] = product;
-      }
-    }
-    combine(weight, last_z_, z_);
+    combine_stages(continuation<starts_at_node>(tables_, h / last_h_), last_z_, z_);
     for (auto& z : z_)
       for_each_component(z, [&](std::size_t n) { z.data()[n] -= last_increment_.data()[n]; });
-    if (control_) combine(tables_.into, z_, w_);
+    if (control_) combine_stages(tables_.into, z_, w_);
   }
 
   void evaluate_stages(Real t, const State& y, Real h) {
@@ -214,66 +182,14 @@ class FullyImplicitRungeKuttaStepper {
     }
     ++counts_.newton;
   }
-  /// row m of `modes` times shift / h of its mode
-  template <class F>
-  void for_each_shift(Real h, const F& f) {
-    for (std::size_t m = 0; m < real_modes; ++m) f(m, m, tables_.shift_re[m] / h, Real(0));
-    for (std::size_t p = 0; p < pairs; ++p) {
-      const std::size_t row = real_modes + 2 * p, mode = real_modes + p;
-      f(row, row + 1, tables_.shift_re[mode] / h, tables_.shift_im[mode] / h);
-    }
-  }
-
-  /// r = modes of h A f - z, times shift / h: exact in the coefficients that the method is defined by.
-  void residual_by_stages(Real h) {
-    for_each_component(stage_, [&](std::size_t n) {
-      std::array<Real, S> off;
-      for (std::size_t i = 0; i < S; ++i) {
-        Real sum = tables_.a[i][0] * f_[0].data()[n];
-        for (std::size_t j = 1; j < S; ++j) sum += tables_.a[i][j] * f_[j].data()[n];
-        off[i] = h * sum - z_[i].data()[n];
-      }
-      for (std::size_t m = 0; m < S; ++m) {
-        Real sum = tables_.into[m][0] * off[0];
-        for (std::size_t j = 1; j < S; ++j) sum += tables_.into[m][j] * off[j];
-        r_[m].data()[n] = sum;
-      }
-    });
-    for_each_shift(h, [&](std::size_t row, std::size_t other, Real re, Real im) {
-      if (row == other) {
-        if (re != 0) for_each_component(stage_, [&](std::size_t n) { r_[row].data()[n] *= re; });
-        return;
-      }
-      for_each_component(stage_, [&](std::size_t n) {
-        const Real x = r_[row].data()[n], y = r_[other].data()[n];
-        r_[row].data()[n] = re * x - im * y, r_[other].data()[n] = re * y + im * x;
-      });
-    });
-  }
-  /// The same without going back to the stages: modes of f, less shift / h times the modes of z.
-  void residual_by_modes(Real h) {
-    combine(tables_.into, f_, r_);
-    for_each_shift(h, [&](std::size_t row, std::size_t other, Real re, Real im) {
-      for_each_component(stage_, [&](std::size_t n) {
-        const Real x = w_[row].data()[n];
-        if (row == other) {
-          r_[row].data()[n] -= re * x;
-        } else {
-          const Real y = w_[other].data()[n];
-          r_[row].data()[n] -= re * x - im * y, r_[other].data()[n] -= re * y + im * x;
-        }
-      });
-    });
-  }
-
   bool iterate_to_tolerance(Real t, const State& y, Real h) {
     newton_.begin_step(), newton_.begin();
     for (;;) {
       evaluate_stages(t, y, h);
       if constexpr (is_singular)
-        residual_by_stages(h);
+        residual_by_stages<real_modes>(tables_, h, f_, z_, r_);
       else
-        residual_by_modes(h);
+        residual_by_modes<real_modes>(tables_, h, f_, w_, r_);
       solve_modes();
       Real sum = 0;
       for (std::size_t m = 0; m < S; ++m)
@@ -284,7 +200,7 @@ class FullyImplicitRungeKuttaStepper {
         });
       const auto verdict = newton_.judge(std::sqrt(sum / Real(S * size_)));
       if (verdict == NewtonVerdict::hopeless) return false;
-      combine(tables_.out, w_, z_);
+      combine_stages(tables_.out, w_, z_);
       if (verdict == NewtonVerdict::converged) return true;
     }
   }
@@ -304,9 +220,9 @@ class FullyImplicitRungeKuttaStepper {
         factored_h_ = 0;
       }
       evaluate_stages(t, y, h);
-      residual_by_stages(h);
+      residual_by_stages<real_modes>(tables_, h, f_, z_, r_);
       solve_modes();
-      combine(tables_.out, r_, w_);
+      combine_stages(tables_.out, r_, w_);
       Real moved = 0, size = 0, terms = 0;
       for (std::size_t i = 0; i < S; ++i)
         for_each_component(y, [&](std::size_t n) {
