@@ -46,7 +46,7 @@ struct Pleiades {
     for (std::size_t i = 0; i < size; ++i) natural[i] = i < size / 2 ? 4 : 4 * std::sqrt(double(mass));
     return natural;
   }
-  double suggested_dt() const { return 0x1p-9 / std::sqrt(double(mass)); }
+  double suggested_dt() const { return 0x1p-13 / std::sqrt(double(mass)); }
 
   template <class T>
   void initial(T* y) const {
