@@ -85,7 +85,7 @@ class BdfDriver {
   /// Order 1; a step such that h^2 y'' / 2, with the time derivative of f left out, is within tolerance.
   void begin(double t0, double t1, const State& y) {
     order_ = 1, equal_steps_ = 0;
-    double h = first_step(system_, control_, t0, t1, y);
+    double h = first_step(system_, control_, 2, t0, t1, y);
     predicted_ = next_ = y;
     system_.rhs(t_, y, correction_);
     refresh_jacobian(t_, y);

@@ -87,7 +87,7 @@ RunReport extrapolate(const P& system, const ErrorControl& control, double t0, d
   using Real = RealOf<typename P::State>;
   Table table(system, y);
   typename P::State next = blank_like(y), difference = zeros_like(y);
-  ExtrapolationPlan<Table> plan(control, first_step(system, control, t0, t1, y));
+  ExtrapolationPlan<Table> plan(control, first_step(system, control, Table::error_power(1), t0, t1, y));
   RunReport report;
   Real t = Real(t0);
   const auto stop = [&](RunStatus status) {

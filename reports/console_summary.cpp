@@ -98,8 +98,7 @@ std::optional<std::string> ratio_text(const std::vector<Row>& rows,
                                       const std::vector<ProblemCurves>& problems) {
   const bool adaptive_only = std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.rtol; });
   if (!adaptive_only || !compares_codes(problems)) return std::nullopt;
-  const Table table = speed_ratio_table(speed_ratios(problems));
-  return fmt::format("\n{}\n{}{}\n\n", table.title, to_text(table), table.note);
+  return "\n" + to_text(speed_ratio_table(speed_ratios(problems))) + "\n";
 }
 
 }  // namespace
