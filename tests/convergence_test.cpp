@@ -127,7 +127,7 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
   for (std::size_t n = 0; n < grounds().size(); ++n) {
     if (!can_run<double>(method, grounds()[n].problem)) continue;
     if (grounds()[n].turning && !(method.needs & Ability::rotation)) continue;
-    const bool high = expected_order(method, grounds()[n].problem) > low;
+    const bool high = expected_order(method, grounds()[n]) > low;
     const Ground& ground = grounds(high)[n];
     const ObservedOrder order = high ? measure<long double>(method, ground) : measure<double>(method, ground);
     std::printf("%-36s %-28s claimed %2d observed %6.3f +- %.3f (%d points) %s\n",

@@ -58,9 +58,9 @@ concept LeavesLinearAlgebraToOthers =
     (Kind::needs & (Ability::linear_part | Ability::jacobian)) != 0 ||
     Kind::kind_name == "diagonally implicit Runge-Kutta" || Kind::kind_name == "average vector field" ||
     Kind::kind_name == "implicit multistep" || Kind::kind_name == "linearly implicit extrapolation" ||
-    Kind::kind_name == "Rosenbrock" || Kind::kind_name == "exponential" ||
-    Kind::kind_name == "fully implicit Runge-Kutta" || Kind::kind_name == "variable-order Radau IIA" ||
-    requires {
+    Kind::kind_name == "Rosenbrock" || Kind::kind_name == "stabilised Runge-Kutta" ||
+    Kind::kind_name == "exponential" || Kind::kind_name == "fully implicit Runge-Kutta" ||
+    Kind::kind_name == "variable-order Radau IIA" || requires {
   Kind::takes_fixed_steps;
 };
 

@@ -62,7 +62,7 @@ constexpr auto wrong_gamma = [] {
 constexpr auto wrong_adams = [] {
   auto m = adams_bashforth3;
   m.id = "wrong_adams";
-  m.weights[1] += 1e-6L, m.weights[2] -= 1e-6L;
+  m.formula.slopes[1] += 1e-6L, m.formula.slopes[2] -= 1e-6L;
   return m;
 }();
 constexpr auto wrong_yoshida = [] {
