@@ -27,6 +27,8 @@ struct LinearBlock {
     s.jacobian_call = [](const void* p, T, const T*, T* m) { of(p).matrix(m); };
     s.linear_part_call = [](const void* p, T* m) { of(p).matrix(m); };
     s.record_call = [](const void* p) { return record<T>(of(p), 2); };
+    s.autonomous = true;
+    s.time_derivative_call = [](const void*, T, const T*, T* dfdt) { dfdt[0] = dfdt[1] = 0; };
     return s;
   }
 
@@ -57,6 +59,11 @@ struct Quadrature {
     s.rhs_call = [](const void* p, T t, const T* y, T* dydt) { of(p).rhs(t, y, dydt); };
     s.acceleration_call = [](const void* p, T t, const T* y, T* a) { of(p).acceleration(t, y, a); };
     s.jacobian_call = [](const void*, T, const T*, T* m) { m[0] = m[1] = m[3] = 0, m[2] = 1; };
+    s.time_derivative_call = [](const void* p, T t, const T*, T* dfdt) {
+      const int n = of(p).power;
+      dfdt[0] = 0, dfdt[1] = T((n + 1) * n);
+      for (int k = 1; k < n; ++k) dfdt[1] *= t;
+    };
     return s;
   }
 

@@ -49,6 +49,9 @@ struct ExplicitRungeKutta {
     Theory theory = runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr);
     theory.numerator = stability_polynomial();
     theory.denominator = {1};
+    Coefficient size = 0;
+    for (const Coefficient w : b) size += w < 0 ? -w : w;
+    theory.rounding_amplification = cancellation(size);
     return theory;
   }
   /// R(z) = 1 + sum_k b' A^(k-1) 1 z^k, summed as it stands: a determinant would lose the digits that

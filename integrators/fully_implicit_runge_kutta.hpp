@@ -24,7 +24,7 @@ struct FullyImplicitRungeKutta {
   int embedded_order = 0;
   StageMatrix<Stages> a{};
   StageVector<Stages> b{};
-  std::string_view advice = "";
+  std::string_view note = "", advice = "";
   std::size_t real_modes = Stages % 2;  // real eigenvalues of A; the others come in pairs
 
   constexpr Coefficient c(std::size_t stage) const {

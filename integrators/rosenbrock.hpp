@@ -35,6 +35,11 @@ struct Rosenbrock {
     for (std::size_t i = 0; i < Stages; ++i)
       for (std::size_t j = 0; j <= i; ++j) beta[i][j] += gamma[i][j];
     Theory theory = runge_kutta_theory(beta, b, embedded_order > 0 ? &b_embedded : nullptr);
+    Coefficient size = 0;
+    for (std::size_t i = 0; i < Stages; ++i)
+      for (std::size_t j = 0; j < Stages; ++j)
+        size += std::abs(b[i] * alpha[i][j]) + std::abs(b[i] * gamma[i][j]);
+    theory.rounding_amplification = cancellation(size);
     theory.tableau.a.clear();
     for (const auto& row : alpha) theory.tableau.a.insert(theory.tableau.a.end(), row.begin(), row.end());
     for (const auto& row : gamma)

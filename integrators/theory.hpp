@@ -65,6 +65,11 @@ struct Theory {
   std::string_view blank_reason = "";  // why nothing can be said, where nothing can
 };
 
+/// What weights that cancel make of the rounding of what they weigh; ordinary ones count as 1.
+inline Coefficient cancellation(Coefficient sum_of_magnitudes) {
+  return sum_of_magnitudes > 10 ? sum_of_magnitudes : 1;
+}
+
 /// R(z) = det(I - zA + z 1 b') / det(I - zA) (Hairer & Wanner, Solving ODEs II, IV.3), both by the
 /// Faddeev-LeVerrier recursion. For strictly lower triangular A the denominator is 1.
 template <std::size_t S>

@@ -120,10 +120,13 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
   const bool proved_pair = method.order > 6 && method.theory().nystrom.stages > 0;
   // order_conditions_test proves the exact order of a tableau. The high ones reach round-off where their
   // error still changes sign between the rungs: one ground tells little, the middle of all of them does.
-  const bool proved = method.order > 6 && method.theory().tableau.stages > 0;
+  const bool proved = method.theory().tableau.stages > 0 &&
+                      (method.order > 6 || (method.order == 6 && method.theory().rounding_amplification > 1));
   std::vector<double> slopes;
   // the expansion of linearly implicit steps in h, not h^2, comes to its leading term later than others
-  const int low = method.kind == "linearly implicit extrapolation" ? 5 : 6;
+  // and in double large weights that cancel end the ladder before it tells anything
+  const int low =
+      method.kind == "linearly implicit extrapolation" || method.theory().rounding_amplification > 1 ? 5 : 6;
   for (std::size_t n = 0; n < grounds().size(); ++n) {
     if (!can_run<double>(method, grounds()[n].problem)) continue;
     if (grounds()[n].turning && !(method.needs & Ability::rotation)) continue;

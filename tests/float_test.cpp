@@ -157,8 +157,13 @@ TEST(Float, CompensatedSumsLowerTheFloor) {
       plain = std::max(plain, oscillator_error(steps, false, method.id));
       compensated = std::max(compensated, oscillator_error(steps, true, method.id));
     }
-    EXPECT_LT(compensated, 0.5 * plain);
-    EXPECT_LT(compensated, 8e-15);  // what weights rounded to double leave: T times their sum minus one
+    // large weights that cancel leave a floor that no sum of steps can lower
+    const double amplification = double(method.theory().rounding_amplification);
+    if (amplification == 1) {
+      EXPECT_LT(compensated, 0.5 * plain);
+    }
+    EXPECT_LT(compensated,
+              8e-15 * amplification);  // what weights rounded to double leave: T times their sum minus one
   }
 }
 

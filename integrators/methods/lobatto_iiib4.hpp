@@ -11,6 +11,7 @@ inline constexpr FullyImplicitRungeKutta<3> lobatto_iiib4{
     .order = 4,
     .a = {{{1.0L / 6, -1.0L / 6, 0}, {1.0L / 6, 1.0L / 3, 0}, {1.0L / 6, 5.0L / 6, 0}}},
     .b = {1.0L / 6, 2.0L / 3, 1.0L / 6},
+    .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .advice = "the partner of lobatto_iiia4 in symplectic pairs; alone it loses order where f is stiff",
 };
 static_assert(orders_hold(lobatto_iiib4));

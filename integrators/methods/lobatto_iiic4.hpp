@@ -13,6 +13,7 @@ inline constexpr FullyImplicitRungeKutta<3> lobatto_iiic4{
            {1.0L / 6, 5.0L / 12, -1.0L / 12},
            {1.0L / 6, 2.0L / 3, 1.0L / 6}}},
     .b = {1.0L / 6, 2.0L / 3, 1.0L / 6},
+    .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .advice =
         "L-stable and algebraically stable, fixed steps over strong damping; radau_iia5 has one order more",
 };

@@ -11,6 +11,7 @@ inline constexpr FullyImplicitRungeKutta<2> radau_ia3{
     .order = 3,
     .a = {{{1.0L / 4, -1.0L / 4}, {1.0L / 4, 5.0L / 12}}},
     .b = {1.0L / 4, 3.0L / 4},
+    .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .advice = "L-stable of order 3; radau_iia3 is better where f is stiff, being stiffly accurate",
 };
 static_assert(orders_hold(radau_ia3));

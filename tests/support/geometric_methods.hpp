@@ -70,7 +70,7 @@ inline bool is_symmetric(const AnyMethod& m) {
 
 inline bool is_one_step(const AnyMethod& m) {
   static const AnyProblem oscillator = suite_problem("oscillator");
-  return m.takes_fixed_steps && !m.multistep && can_run<double>(m, oscillator);
+  return m.takes_fixed_steps && !m.multistep && m.runs<double>().transition && can_run<double>(m, oscillator);
 }
 
 }  // namespace odemark

@@ -15,7 +15,8 @@ inline void PrintTo(const AnyMethod& method, std::ostream* out) { *out << method
 inline bool solves_equations(const AnyMethod& method) {
   for (const std::string_view kind :
        {"diagonally implicit Runge-Kutta", "fully implicit Runge-Kutta", "variable-order Radau IIA",
-        "Rosenbrock", "implicit multistep", "linearly implicit extrapolation", "variable-order BDF"})
+        "Rosenbrock", "implicit multistep", "linearly implicit extrapolation", "variable-order BDF",
+        "average vector field"})
     if (method.kind == kind) return true;
   return false;
 }
