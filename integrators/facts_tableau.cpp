@@ -190,7 +190,9 @@ void add_tableau_facts(const Theory& theory, int order, int embedded_order, Meth
   const auto proof = tree_order(t, t.b, order + 2);
   facts.order = {proof.order, proof.exact ? "proved in integers" : "proved to rounding"};
   facts.error_constant = proof.principal_error_norm;
-  const bool fsal = t.stages > 1 && !rosenbrock && row_is_zero(v, 0) && last_row_is_b(v);
+  // a Rosenbrock stage asks for f at the argument that alpha gives, whatever the matrix adds afterwards
+  const View asked{t.stages, t.a, t.b};
+  const bool fsal = t.stages > 1 && row_is_zero(asked, 0) && last_row_is_b(asked);
   facts.fsal = fsal;
   const Theory function = stability_function(t.stages, matrix, t.b, proof.order);
   facts.stability = stability_facts(function);
@@ -201,8 +203,15 @@ void add_tableau_facts(const Theory& theory, int order, int embedded_order, Meth
     implicit_stages += matrix[i * t.stages + i] != 0;
     for (std::size_t j = i + 1; j < t.stages; ++j) triangular = triangular && matrix[i * t.stages + j] == 0;
   }
+  int repeated = 0;  // Rosenbrock stages that ask where the stage before did
+  for (std::size_t i = 1; rosenbrock && i < t.stages; ++i) {
+    Coefficient apart = 0;
+    for (std::size_t j = 0; j < t.stages; ++j)
+      apart += std::abs(t.a[i * t.stages + j] - t.a[(i - 1) * t.stages + j]);
+    repeated += apart < 1e-15L;
+  }
   if (explicit_steps || rosenbrock)
-    facts.evaluations_per_step = int(t.stages) - (fsal ? 1 : 0);
+    facts.evaluations_per_step = int(t.stages) - (fsal ? 1 : 0) - repeated;
   else
     facts.evaluations_per_step = Fact<int>::none("depends on the iterations that solve the stages");
   if (explicit_steps)

@@ -60,11 +60,14 @@ inline bool undoes_itself(const Theory& theory) {
 }
 
 inline bool is_symplectic(const AnyMethod& m) {
-  return is_made_of_shears(m.theory().moves) || has_symplectic_tableau(m.theory().tableau);
+  // with no damping to treat apart, a kick and a drift are left
+  return is_made_of_shears(m.theory().moves) || has_symplectic_tableau(m.theory().tableau) ||
+         m.kind == "semi-implicit Euler, damping apart";
 }
 inline bool conserves_area(const AnyMethod& m) { return conserves_area(m.theory()) || mirrors(m.theory()); }
 inline bool is_symmetric(const AnyMethod& m) {
-  return mirrors(m.theory()) || reads_the_same_backwards(m.theory().moves) ||
+  return mirrors(m.theory()) ||
+         (is_made_of_shears(m.theory().moves) && reads_the_same_backwards(m.theory().moves)) ||
          (m.theory().second_order_step && undoes_itself(m.theory()));
 }
 
