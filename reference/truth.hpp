@@ -29,6 +29,12 @@ struct TruthPoint {
   double sensitivity = 0;
 };
 
+/// An instant at which the state decided that something happens, and the phase of the problem from then on.
+struct TruthEvent {
+  std::size_t event = 0, phase = 0;
+  TruthValue t;
+};
+
 /// A certificate: both origins agree to the bounds stated. They share the right-hand side and nothing else.
 struct Truth {
   std::string problem;  // AnyProblem::id
@@ -40,6 +46,7 @@ struct Truth {
   double seconds = 0;   // spent to compute it
   int digits = 0;       // of the worst point
   std::vector<TruthPoint> points;  // ascending in t
+  std::vector<TruthEvent> events;  // all up to the last point, in order
 
   const TruthPoint& last() const { return points.back(); }
 };
