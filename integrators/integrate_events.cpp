@@ -246,10 +246,8 @@ class EventRun {
       report_.status = RunStatus::time_limit, report_.t_reached = t_;
       return false;
     }
-    std::vector<bool> fired(armed_.size(), false);
     for (std::size_t k = 0; k < armed_.size(); ++k) {
       if (!armed_[k] || !(g_[k] <= 0)) continue;
-      fired[k] = true;
       found_.push_back({k, t_});
       if (pieces_.jumps) {
         phase_ = pieces_.after_call(pieces_.values[phase_], k, T(t_), y_.data(), phase_);
@@ -257,8 +255,8 @@ class EventRun {
       }
     }
     values(t_, y_.data(), g_left_);
-    // a ball that has just bounced lies on the floor: its next fall counts although its value is not above 0
-    for (std::size_t k = 0; k < armed_.size(); ++k) armed_[k] = g_left_[k] > 0 || (fired[k] && pieces_.jumps);
+    for (std::size_t k = 0; k < armed_.size(); ++k)
+      armed_[k] = g_left_[k] > 0 || (pieces_.jumps && g_left_[k] == 0);
     for (std::size_t i = 0; i < piece_grid_.size(); ++i)  // at an instant of an event, the state after it
       if (std::abs(piece_grid_[i] - t_) <= close_at<T>(t_))
         std::copy(y_.begin(), y_.end(), trace_.samples.begin() + std::ptrdiff_t((sampled_ + i) * y_.size()));

@@ -55,7 +55,7 @@ class EventWatch {
     phase = problem_.events.after(problem_.phases[phase].value.get(), which, t, y.data(), phase);
     events.push_back({which, phase, t});
     begin(t, y, phase);
-    armed_[which] = true;  // a ball that has just bounced lies on the floor
+    for (std::size_t k = 0; k < armed_.size(); ++k) armed_[k] = left_value_[k] >= 0;
     return true;
   }
 
