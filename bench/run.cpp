@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <stdexcept>
 
 #include "bench/measure.hpp"
+#include "bench/solve.hpp"
 #include "bench/static_run.hpp"
 #include "bench/step_record.hpp"
 
@@ -43,21 +43,13 @@ std::vector<T> initial_state(const AnyProblem& problem) {
   return y;
 }
 
-/// Whether pieces must be minded: error control stops at switches and events, fixed steps only do jumps.
-template <class T>
-bool in_pieces(const AnyProblem& problem, const RunRequest& request) {
-  const Pieces<T>& pieces = problem.pieces<T>();
-  return request.rtol ? !pieces.empty() : pieces.events > 0;
-}
-
 /// Runs again bare, timed, in batches long enough for the clock; every batch must end in the same bits.
 template <class T>
 RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request,
                     const Control& control, const Row& row) {
   using Clock = std::chrono::steady_clock;
   const StaticRun* inlined = nullptr;
-  // fixed steps over kinks are steps like all others
-  const bool pieces = in_pieces<T>(problem, request) && (request.rtol || problem.pieces<T>().jumps);
+  const bool pieces = in_pieces(problem, control);
   if constexpr (std::is_same_v<T, double>)
     if (!pieces && !request.compensated && (request.rtol || method.provider == "odemark"))
       inlined = find_static_run(problem.family, method.id);
@@ -73,8 +65,7 @@ RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const Ru
         return;
       }
     if (pieces)
-      integrate_events(method.runs<T>(), problem.pieces<T>(), problem.system<T>(), problem.pieces<T>().phases,
-                       problem.system<T>(), control, problem.t_begin, problem.t_end, y, nothing, found);
+      solve_problem(method, problem, control, y, nothing, found, nullptr);
     else
       method.runs<T>().solve(problem.system<T>(), control, problem.t_begin, problem.t_end, y);
   };
@@ -166,7 +157,6 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
   const Control control = control_of(request, problem);
   auto y = initial_state<T>(problem);
   WorkCounts counts;
-  const CountingSystem<T> counting(problem.system<T>(), counts);
   Watch watch(problem, request.time_limit_seconds);
   std::vector<long double> wide(problem.size());
   Trace<T> trace;
@@ -184,18 +174,7 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
   RunReport report;
   std::vector<FoundEvent> found;
   try {
-    if (in_pieces<T>(problem, request)) {
-      const Pieces<T>& pieces = problem.pieces<T>();
-      std::deque<CountingSystem<T>> counting_phases;  // which do not move
-      std::vector<ErasedSystem<T>> counted;
-      for (const auto& phase : pieces.phases)
-        counted.push_back(counting_phases.emplace_back(phase, counts).view());
-      report = integrate_events(method.runs<T>(), pieces, counting.view(), counted, problem.system<T>(),
-                                control, problem.t_begin, problem.t_end, y, trace, found);
-    } else {
-      report = method.runs<T>().solve_traced(counting.view(), problem.system<T>(), control, problem.t_begin,
-                                             problem.t_end, y, trace);
-    }
+    report = solve_problem(method, problem, control, y, trace, found, &counts);
   } catch (const std::exception& e) {
     row.status = to_string(RunStatus::rhs_failed);
     row.reason = fmt::format("the right-hand side threw: {}", e.what());

@@ -49,8 +49,6 @@ struct AnyProblem {
   std::size_t size() const { return components.size(); }
   /// One smooth piece: nothing switches and nothing happens.
   bool smooth() const { return switch_times.empty() && event_names.empty(); }
-  /// Fixed steps meet nothing on their way that changes the state or the equations under them.
-  bool plain_for_fixed_steps() const { return !pieces<double>().jumps; }
   /// Valid as long as this problem or a copy of it lives. T is float, double or long double.
   template <class T>
   const ErasedSystem<T>& system() const {

@@ -82,6 +82,9 @@ Truth certify(const AnyProblem& problem, const std::vector<double>& times,
 /// The grid on which truths are stored: t_j = (j * t_end) / 16 in double, j = 1 .. 16; the last is t_end.
 std::vector<double> common_times(const AnyProblem& problem);
 
+/// The stored truth, or null: nothing is computed.
+std::shared_ptr<const Truth> stored_truth_of(const AnyProblem& problem);
+
 /// The truth on the common grid, for inputs rounded to double: stored if the problem is a preset as it was
 /// when the solution was made; else its closed form; else certified now to 25 digits. Computed once; any
 /// thread may ask. Throws TruthUnavailable.

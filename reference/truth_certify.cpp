@@ -168,7 +168,7 @@ Truth unchecked_closed_form(const AnyProblem& problem, const WideProblem& wide,
   Truth truth;
   truth.problem = problem.id, truth.origin = a.name;
   truth.checked_by =
-      "nothing: a second computation would take too long; the formula is checked at the presets";
+      "nothing: no second computation came to its end; the formula is tested against the right-hand side";
   truth.digits = most_digits;
   for (const auto& event : a.events)
     truth.events.push_back({event.event, event.phase, truth_value(event.t, Wide("1e-30") * abs(event.t))});
