@@ -160,7 +160,15 @@ TEST(Events, EveryNumberTypeAndTheTimedRun) {
 /// An event that fires again at once, for ever.
 template <class Real = double>
 struct Chatter {
-  ODEMARK_PROBE(Chatter, "chatter", "x' = -1, back to 0")
+  static constexpr std::string_view id = "chatter", title = id, equations = "x' = -1, back to 0",
+                                    source = "us";
+  Real t_end = 2;
+  static constexpr auto parameters() {
+    using P = Parameter<Chatter, Real>;
+    return std::array{P{"t_end", "s", "end of the interval", &Chatter::t_end, positive}};
+  }
+  static constexpr std::array presets{Preset{"chatter", "", "an event that fires again at once"}};
+  double suggested_dt() const { return 0.0625; }
   static constexpr std::size_t size = 1;
   static constexpr std::array<Component, size> components{{{"x", ""}}};
   static constexpr std::array<std::string_view, 1> events{"stop"};
