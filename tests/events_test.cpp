@@ -7,7 +7,9 @@
 #include "bench/measure.hpp"
 #include "bench/solve.hpp"
 #include "integrators/bracket_root.hpp"
-#include "reference/truth.hpp"
+#include "reference/truth_compare.hpp"
+#include "reference/truth_store.hpp"
+#include "reference/truth_wide.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
@@ -227,6 +229,38 @@ TEST(Events, TheTruthKnowsThem) {
   EXPECT_NEAR(double(truth->events[0].t.hi), fall, 1e-15);
   EXPECT_NEAR(double(truth->events[1].t.hi), fall * 2.75, 1e-15);
   EXPECT_LE(truth->events[2].t.bound, 1e-40L);
+}
+
+/// Planted: the second computation has another ball, which rests after its second bounce.
+TEST(Events, TwoComputationsWithDifferentEventsAreNoTruth) {
+  const AnyProblem problem = suite_problem("bouncing_ball");
+  const auto first = widened(problem, false),
+             other = widened(suite_problem("bouncing_ball", "v_rest=3.75"), false);
+  CertifyOptions options;
+  options.digits = 25, options.sensitivity = false;
+  EXPECT_NO_THROW(certify_wide(problem, first, first, {first.t_end}, options));
+  try {
+    certify_wide(problem, first, other, {first.t_end}, options);
+    ADD_FAILURE() << "a different ball passed";
+  } catch (const TruthUnavailable& why) {
+    EXPECT_NE(std::string(why.what()).find("one computation finds 3 events and the other 2"),
+              std::string::npos)
+        << why.what();
+  }
+}
+
+/// Planted: a stored event whose last digits are wrong, and one that is missing.
+TEST(Events, AStoredEventIsVerified) {
+  const AnyProblem problem = suite_problem("bouncing_ball");
+  Truth stored = *truth_of(problem);
+  EXPECT_EQ(verify(problem, stored, 2), "");
+  const std::string right = stored.events[1].t.decimal;
+  std::string wrong = right.substr(0, 30);
+  wrong.back() = wrong.back() == '1' ? '2' : '1';
+  stored.events[1].t = truth_value(wrong, stored.events[1].t.bound);
+  EXPECT_NE(verify(problem, stored, 2), "");
+  stored.events.pop_back();
+  EXPECT_NE(verify(problem, stored, 2).find("2 events are stored, 3 computed"), std::string::npos);
 }
 
 }  // namespace
