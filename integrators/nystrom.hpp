@@ -2,6 +2,7 @@
 #pragma once
 
 #include "integrators/compensated.hpp"
+#include "integrators/nystrom_order.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -31,7 +32,11 @@ struct Nystrom {
   constexpr bool first_same_as_last() const {
     return Stages > 1 && c[Stages - 1] == 1 && a[Stages - 1] == b_position && c[0] == 0;
   }
-  Theory theory() const { return nystrom_theory(*this); }
+  Theory theory() const {
+    Theory theory = nystrom_theory(*this);
+    theory.proof = [m = *this] { return proved_orders(m); };
+    return theory;
+  }
 
   template <const auto& method, SecondOrderSystem P>
   using Stepper = NystromStepper<method, P>;

@@ -15,6 +15,7 @@ class NamedStabilisedStepper;
 struct StabilisedRungeKutta {
   static constexpr std::string_view kind_name = "stabilised Runge-Kutta";
   static constexpr unsigned needs = 0;
+  static constexpr bool compiled_apart = true;  // its polynomials: for real numbers only
   /// A step on a linear problem is no fixed matrix: the stages depend on the spectral radius as it is
   /// estimated.
   static constexpr bool has_transition = false;

@@ -34,6 +34,7 @@ struct Tableau {
   std::size_t stages = 0;
   std::vector<Coefficient> a, b, b_embedded;  // b_embedded empty: no error estimate
   std::vector<Coefficient> gamma;             // Rosenbrock: Gamma with its diagonal, a is alpha; else empty
+  Coefficient embedded_start = 0;  // weight of f(t, y) in the embedded formula, where it is no stage
 };
 
 /// The same for Nystrom methods: `a` row by row; positions and velocities have weights of their own.
@@ -48,6 +49,12 @@ struct OscillatorMatrix {
   std::vector<Coefficient> xx, xv, vx, vv;
 };
 
+/// Orders that hold exactly: every condition up to there, and not every one beyond.
+struct ProvedOrders {
+  int order = 0, embedded_order = 0;
+  int for_any_split = 0;  // of splittings: where the kinetic energy is not quadratic; 0: no splitting
+};
+
 /// Exactly one of the members down to `exact_on_linear_part` is filled, or `blank_reason`; which one says how
 /// the method acts on y' = lambda y.
 struct Theory {
@@ -55,19 +62,28 @@ struct Theory {
   std::vector<Coefficient> rho, sigma;              // multistep: rho(w) - z sigma(w), ascending powers
   /// Multistep beyond rho - z sigma (PECE): the coefficient of z^k w^j is characteristic[k][j].
   std::vector<std::vector<Coefficient>> characteristic;
-  std::vector<SecondOrderMove> moves;      // acts on (x, v) as a 2x2 matrix
-  OscillatorMatrix oscillator;             // Nystrom methods: the same where there is no damping
-  SecondOrderStep second_order_step;       // the same where its entries are no polynomials in h
-  bool exact_on_linear_part = false;       // exponential methods: R = exp(h L)
-  Coefficient rounding_amplification = 1;  // of a step's own rounding: where values of large weight cancel
-  Tableau tableau;                     // what numerator and denominator come from, where they come from one
-  NystromTableau nystrom;              // what oscillator comes from
+  std::vector<SecondOrderMove> moves;  // acts on (x, v) as a 2x2 matrix
+  OscillatorMatrix oscillator;         // Nystrom methods: the same where there is no damping
+  SecondOrderStep second_order_step;   // the same where its entries are no polynomials in h
+  bool exact_on_linear_part = false;   // exponential methods: R = exp(h L)
+  /// What a step makes of a rounding in each of the values that it adds up: the sum of the magnitudes of
+  /// their weights, where those are known, and at least 1.
+  Coefficient rounding_amplification = 1;
+  Tableau tableau;                  // what numerator and denominator come from, where they come from one
+  Coefficient estimate_filter = 0;  // gamma: the estimate is the gap of the two formulas over 1 - gamma z
+  NystromTableau nystrom;           // what oscillator comes from
+  /// What trees or words prove of the coefficients, where `moves` or `oscillator` are all that is left of
+  /// them.
+  std::function<ProvedOrders()> proof;
   std::string_view blank_reason = "";  // why nothing can be said, where nothing can
 };
 
-/// What weights that cancel make of the rounding of what they weigh; ordinary ones count as 1.
-inline Coefficient cancellation(Coefficient sum_of_magnitudes) {
-  return sum_of_magnitudes > 10 ? sum_of_magnitudes : 1;
+/// Of weights that sum to 1: how much more a rounding in what they weigh counts than in their sum.
+template <class Weights>
+Coefficient sum_of_magnitudes(const Weights& weights) {
+  Coefficient sum = 0;
+  for (const Coefficient w : weights) sum += w < 0 ? -w : w;
+  return sum;
 }
 
 /// R(z) = det(I - zA + z 1 b') / det(I - zA) (Hairer & Wanner, Solving ODEs II, IV.3), both by the
