@@ -11,16 +11,6 @@ namespace odemark {
 
 inline void PrintTo(const AnyMethod& method, std::ostream* out) { *out << method.id; }
 
-/// Kinds whose steps can end because an equation has no solution that they find.
-inline bool solves_equations(const AnyMethod& method) {
-  for (const std::string_view kind :
-       {"diagonally implicit Runge-Kutta", "fully implicit Runge-Kutta", "variable-order Radau IIA",
-        "Rosenbrock", "implicit multistep", "linearly implicit extrapolation", "variable-order BDF",
-        "average vector field"})
-    if (method.kind == kind) return true;
-  return false;
-}
-
 template <class T>
 bool can_run(const AnyMethod& method, const AnyProblem& problem) {
   return method.runs<T>().solve && missing_ability(method.needs, problem.abilities).empty();
@@ -39,6 +29,47 @@ End<T> solve(const AnyMethod& method, const AnyProblem& problem, const Control& 
   for (const double x : problem.initial) end.y.push_back(static_cast<T>(x));
   end.report = method.runs<T>().solve(problem.system<T>(), control, problem.t_begin, problem.t_end, end.y);
   return end;
+}
+
+/// The last accepted step of a run, and the size of the one before it.
+struct LastStep {
+  double from, to;
+  RunStatus status;
+  bool threw;
+};
+
+inline LastStep last_step(const AnyMethod& method, const AnyProblem& problem, const Control& control) {
+  LastStep last{problem.t_begin, problem.t_begin, RunStatus::reached_end, false};
+  Trace<double> trace;
+  trace.on_step = [&](double t, const double*) {
+    last.from = last.to, last.to = t;
+    return true;
+  };
+  std::vector<double> y = problem.initial;
+  const auto& system = problem.system<double>();
+  try {
+    last.status = method.runs<double>()
+                      .solve_traced(system, system, control, problem.t_begin, problem.t_end, y, trace)
+                      .status;
+  } catch (const std::exception&) {
+    last.threw = true;
+  }
+  return last;
+}
+
+/// The latest place of a step, as part of it, at which it looks at a slope: at least that of its
+/// coefficients; 0 where only its start is sure to be looked at.
+inline double latest_node(const AnyMethod& method) {
+  const Theory theory = method.theory();
+  const Tableau& t = theory.tableau;
+  Coefficient latest = 0;
+  for (std::size_t i = 0; i < t.stages; ++i) {
+    Coefficient node = 0;
+    for (std::size_t j = 0; j < t.stages; ++j) node += t.a[i * t.stages + j];
+    latest = std::max(latest, node);
+  }
+  for (const Coefficient node : theory.nystrom.c) latest = std::max(latest, node);
+  return double(latest);
 }
 
 /// Equal bits; every NaN is the same NaN.
