@@ -99,6 +99,10 @@ MethodFacts method_facts(const Theory& theory, int order, int embedded_order) {
   } else {
     f.stability = detail::stability_facts(theory);
   }
+  if (theory.most_stages > 0)
+    f.internal_amplification = {
+        theory.internal_amplification,
+        "of a step with " + std::to_string(theory.most_stages) + " stages, as many as double allows"};
   detail::add_oscillator_facts(with_function(theory, f), f);
   if (theory.proof)
     add_proof(theory.proof(), order, f);

@@ -44,31 +44,10 @@ struct FullyImplicitRungeKutta {
     }
     return false;
   }
-  /// With l_i the Lagrange polynomials of the nodes and gamma the real eigenvalue of A, the estimate is
-  /// gamma h (f(t, y) - sum l_i(0) f(Y_i)) / (1 - gamma z): a gap of weights like any other.
   Theory theory() const {
     Theory theory = runge_kutta_theory(a, b);
-    if (embedded_order == 0) return theory;
-    const Coefficient gamma = real_eigenvalue(theory.denominator);
-    theory.estimate_filter = theory.tableau.embedded_start = gamma;
-    for (std::size_t i = 0; i < Stages; ++i) {
-      Coefficient at_start = 1;
-      for (std::size_t m = 0; m < Stages; ++m)
-        if (m != i) at_start *= -c(m) / (c(i) - c(m));
-      theory.tableau.b_embedded.push_back(b[i] - gamma * at_start);
-    }
+    if (embedded_order > 0) compare_with_start(theory);
     return theory;
-  }
-  /// 1 / x for the only positive root x of det(I - x A), by bisection.
-  static constexpr Coefficient real_eigenvalue(const std::vector<Coefficient>& determinant) {
-    Coefficient low = 0, high = 64;
-    for (int i = 0; i < 128; ++i) {
-      const Coefficient middle = (low + high) / 2;
-      Coefficient value = 0;
-      for (std::size_t k = determinant.size(); k-- > 0;) value = value * middle + determinant[k];
-      (value > 0 ? low : high) = middle;
-    }
-    return 1 / low;
   }
 
   template <const auto& method, System P>

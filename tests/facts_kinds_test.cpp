@@ -147,6 +147,17 @@ TEST(Facts, PredictorCorrectorsAtInfinity) {
   EXPECT_NEAR(double(*detail::stability_facts(theory).r_infinity), 0.5, 1e-15);
 }
 
+TEST(Facts, RoundingsWithinStabilisedSteps) {
+  // with the square of the number of stages, and never so far that they are worth half the digits
+  for (const char* id : {"rkc1", "rkc2", "rkl2", "rock2", "rock4"}) {
+    const auto facts = facts_of(id);
+    ASSERT_TRUE(facts.internal_amplification) << id;
+    EXPECT_LE(double(*facts.internal_amplification) * 0x1p-53, 10 * std::sqrt(0x1p-53)) << id;
+    EXPECT_GT(double(*facts.internal_amplification), 1) << id;
+  }
+  EXPECT_EQ(*facts_of("rkc2").internal_amplification, 40'000);
+}
+
 TEST(Facts, StepRatiosOfBdf) {
   for (const auto& [k, known] : {std::pair{2, 1 + std::sqrt(2.0)}, {3, (1 + std::sqrt(5.0)) / 2}})
     EXPECT_NEAR(double(*method_facts(bdf(k), k).step_ratio_limit), known, 1e-12) << k;
