@@ -28,7 +28,7 @@ struct StabilisedRungeKutta {
   Theory theory() const {
     Theory theory;
     theory.blank_reason = "R(z) depends on the number of stages, which is chosen at every step";
-    theory.most_stages = stage_cap(family, std::numeric_limits<double>::epsilon() / 2);
+    theory.most_stages = stage_cap(family, Coefficient(std::numeric_limits<double>::epsilon()) / 2);
     theory.internal_amplification = odemark::internal_amplification(family, theory.most_stages);
     return theory;
   }
