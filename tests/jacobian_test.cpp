@@ -45,6 +45,29 @@ TEST(Jacobian, WrittenEqualsDualNumbersEqualsDifferences) {
   }
 }
 
+TEST(Jacobian, WrittenEqualsDualNumbersInEveryPhaseOfEvents) {
+  int phases = 0;
+  for (const auto& problem : every_preset()) {
+    const WideProblem wide = widened(problem, false);
+    if (!wide.events.jumps) continue;
+    const std::size_t n = problem.size();
+    ASSERT_EQ(problem.pieces<double>().phases.size(), wide.phases.size()) << problem.id;
+    for (std::size_t phase = 0; phase < wide.phases.size(); ++phase, ++phases)
+      for (const auto& place : places_of(problem, 4)) {
+        const auto y = converted<Wide>(place.y);
+        std::vector<Wide> dual(n * n);
+        wide.jacobian(wide.phases[phase].value.get(), Wide(place.t), y.data(), dual.data());
+        std::vector<double> written(n * n);
+        problem.pieces<double>().phases[phase].jacobian(place.t, place.y,
+                                                        MatrixView<double>{written.data(), n});
+        for (std::size_t i = 0; i < n * n; ++i)
+          EXPECT_NEAR(written[i], to_double(dual[i]), 1e-13 * (1 + std::abs(written[i])))
+              << problem.id << " in phase " << phase;
+      }
+  }
+  EXPECT_GE(phases, 20);
+}
+
 TEST(Jacobian, DualNumbersStandInWhereNoneIsWritten) {
   const auto problem = probe::problem<probe::DrivenDamped>();
   EXPECT_FALSE(problem.has_written_jacobian);
