@@ -38,7 +38,8 @@ struct Pollu {
     return {0.1,  0.2,  5e-9, 0.04, 1e-6, 1e-6,  0.1,   0.3,  0.01, 1e-7,
             1e-7, 1e-2, 1e-3, 1e-4, 0.01, 1e-17, 0.007, 1e-3, 1e-5, 1e-4};
   }
-  double suggested_dt() const { return 1e-7; }
+  /// O1D goes at the rate 4.4e11.
+  double suggested_dt() const { return 2e-12; }
 
   template <class T>
   void initial(T* y) const {

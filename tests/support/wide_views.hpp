@@ -47,6 +47,6 @@ std::vector<T> converted(const std::vector<double>& y) {
   return {y.begin(), y.end()};
 }
 
-inline double to_double(const Wide& x) { return x.convert_to<double>(); }
+inline double to_double(const Wide& x) { return static_cast<double>(x); }
 
 }  // namespace odemark
