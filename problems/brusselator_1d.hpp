@@ -31,7 +31,7 @@ struct Brusselator1d {
   }
   static constexpr std::array presets{
       Preset{"brusselator_1d", "alpha=0.02", "as in the book but for the number of points"},
-      Preset{"brusselator_1d_stiff", "alpha=1,t_end=2", "diffusion fifty times as fast"}};
+      Preset{"brusselator_1d_stiff", "alpha=1,t_end=0.5", "diffusion fifty times as fast"}};
 
   std::array<double, size> scale() const {
     std::array<double, size> out{};

@@ -41,9 +41,7 @@ struct OuterSolarSystem {
         P{"t_end", "d", "end of the interval", &OuterSolarSystem::t_end, positive}};
   }
   static constexpr std::array presets{
-      Preset{"outer_solar_system", "G=2.95912208286e-4", "27 years: two revolutions of Jupiter"},
-      Preset{"outer_solar_system_century", "G=2.95912208286e-4,t_end=36525",
-             "a century: phases drift apart, energies must not"}};
+      Preset{"outer_solar_system", "G=2.95912208286e-4", "27 years: two revolutions of Jupiter"}};
 
   /// The sun is hardly moved by all the others: its own scale is their share of the motion.
   std::array<double, size> scale() const {
