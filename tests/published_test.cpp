@@ -22,6 +22,7 @@ struct Published {
 
 constexpr const char* bari =
     "F. Mazzia, C. Magherini, Test Set for Initial Value Problem Solvers, release 2.4 (2008)";
+constexpr const char* detest = "W. H. Enright, J. D. Pryce, ACM Algorithm 648 (1987)";
 constexpr const char* closed = "closed form, evaluated by others to 30 digits";
 
 const std::vector<Published>& published() {
@@ -75,6 +76,17 @@ const std::vector<Published>& published() {
        {0.97000436, -0.24308753, -0.97000436, 0.24308753, 0, 0, 0.466203685, 0.43236573, 0.466203685,
         0.43236573, -0.93240737, -0.86473146},
        1e-6},
+      {"detest_f1", detest, {-12.94460621213470, 0}, 1e-14},
+      {"detest_f2", detest, {70.03731057008607}, 1e-14},
+      {"detest_f3", detest, {-3.726957553088175e-1, -6.230137949234190e-1}, 1e-12},
+      {"detest_f4",
+       detest,
+       {9.815017249707434e-11},
+       1e-13,
+       "copies differ: without the power 16 of the needle's denominator, or with 2/21 = 0 in whole numbers, "
+       "y(10) "
+       "is not 1/21"},
+      {"detest_f5", detest, {1.0}, 1e-14},
       {"kaps", "exp(-2), exp(-1)", {0.13533528323661269189, 0.36787944117144232160}, 1e-14},
       {"kaps_stiff", "exp(-2), exp(-1)", {0.13533528323661269189, 0.36787944117144232160}, 1e-14},
       {"dahlquist_detest_a1", closed, {2.061153622438557828e-9, 0}, 1e-15},
