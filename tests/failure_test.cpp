@@ -76,7 +76,7 @@ TEST(Failure, ASingularityEndsExplicitFixedSteps) {
 /// Whether a run comes out on the far side depends on where its last step before the singularity begins: of
 /// many step sizes some get there if the method has such a step at all, and none if it has not.
 TEST(Failure, WhatJumpsOverASingularitySaysSo) {
-  const auto problem = probe::problem<probe::Blowup>();
+  const auto problem = probe::problem<probe::Blowup>("t_end=1.7");  // no step count puts its end on a step
   int jumpers = 0;
   for (const auto& method : suite_methods()) {
     if (!can_run<double>(method, problem) || !method.takes_fixed_steps) continue;
@@ -110,6 +110,7 @@ TEST(Failure, NotANumberStopsEveryMethod) {
     EXPECT_NE(row.status, "reached_end");
     EXPECT_FALSE(row.errors.has_value());
     EXPECT_GT(row.t_reached, 0.9) << row.status;
+    if (adaptive && method.kind == "chapter listing") return;  // its faults are kept
     const Looks looks = adaptive ? Looks::of_state_and_estimate : Looks::of_state;
     expect_stop_at(33.0 / 32, looks, method, problem, adaptive);
   });
