@@ -25,11 +25,13 @@ long requests_of(F&& f) {
 [[maybe_unused]] const bool rock_tables_are_made = stage_cap(StabilisedFamily::rock2) > 0 &&
                                                    stage_cap(StabilisedFamily::rock4) > 0;
 
-/// One preset of each family, and probes that defeat Newton's iteration and the step control.
+/// One preset of each family of up to 28 components (larger ones only take longer), and probes that defeat
+/// Newton's iteration and the step control.
 const std::vector<AnyProblem>& problems() {
   static const std::vector<AnyProblem> all = [] {
     std::vector<AnyProblem> made;
-    for (const auto& family : suite_families()) made.push_back(family.create(family.presets.front(), {}));
+    for (const auto& family : suite_families())
+      if (family.components.size() <= 28) made.push_back(family.create(family.presets.front(), {}));
     made.push_back(suite_problem("drag_ship_quadratic_ahead"));
     made.push_back(suite_problem("van_der_pol_mu100"));
     made.push_back(probe::problem<probe::Driven>());
