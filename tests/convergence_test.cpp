@@ -140,8 +140,8 @@ ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
   OrderOptions options;
   options.slack = std::max(options.slack, 0.04 * order);
   options.slope_scatter = std::max(options.slope_scatter, 0.03 * order);
-  // where the ladder goes on for ten decades, its upper part is on the way to the order and tells nothing
-  if (order >= lowest_high_order) options.largest_error = 1e-6;
+  // on the last six decades above round-off; what is above is on the way to the order and tells nothing
+  if (order >= lowest_high_order) options.largest_error = 1e-11;
   return observed_order(rows, options);
 }
 

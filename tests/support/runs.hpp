@@ -87,6 +87,15 @@ inline double latest_node(const AnyMethod& method, Looks looks) {
     for (std::size_t j = 0; j < t.stages; ++j) node += t.a[i * stages + j];
     latest = std::max(latest, node);
   }
+  if (theory.proof &&
+      !theory.moves.empty()) {  // a splitting; with long ones the way there goes beyond the end
+    Coefficient at = 0;
+    for (const auto& move : theory.moves)
+      if (move.what == SecondOrderMove::What::drift)
+        at += move.weight;
+      else
+        latest = std::max(latest, at);
+  }
   return double(latest);
 }
 
