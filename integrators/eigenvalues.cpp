@@ -1,4 +1,5 @@
-// Eigenvalues and roots by Eigen's QR algorithms; two by two in closed form, so that zeros stay zeros.
+// Eigenvalues and roots by Eigen's complex QR algorithm, compiled once for both; two by two in closed form,
+// so that zeros stay zeros.
 #include "integrators/eigenvalues.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -6,6 +7,15 @@
 #include <cmath>
 
 namespace odemark {
+namespace {
+
+using Matrix = Eigen::Matrix<WideComplex, Eigen::Dynamic, Eigen::Dynamic>;
+std::vector<WideComplex> eigenvalues_of(const Matrix& m) {
+  const Eigen::ComplexEigenSolver<Matrix> solver(m, false);
+  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+}
+
+}  // namespace
 
 std::vector<WideComplex> eigenvalues(std::size_t size, const std::vector<Coefficient>& m) {
   if (size == 0) return {};
@@ -21,10 +31,10 @@ std::vector<WideComplex> eigenvalues(std::size_t size, const std::vector<Coeffic
     const Coefficient determinant = m[0] * m[3] - m[1] * m[2];
     return {far, far == 0 ? Coefficient(0) : determinant / far};
   }
-  using Matrix = Eigen::Matrix<Coefficient, Eigen::Dynamic, Eigen::Dynamic>;
-  const auto n = static_cast<Eigen::Index>(size);
-  const Eigen::EigenSolver<Matrix> solver(Eigen::Map<const Matrix>(m.data(), n, n), false);
-  std::vector<WideComplex> out(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  std::vector<WideComplex> out =
+      eigenvalues_of(Matrix(Eigen::Map<const Eigen::Matrix<Coefficient, Eigen::Dynamic, Eigen::Dynamic>>(
+                                m.data(), Eigen::Index(size), Eigen::Index(size))
+                                .cast<WideComplex>()));
   Coefficient largest = 0;
   for (const auto& l : out) largest = std::max(largest, std::abs(l));
   for (auto& l : out) {
@@ -38,15 +48,13 @@ std::vector<WideComplex> polynomial_roots(std::vector<WideComplex> c) {
   while (!c.empty() && c.back() == WideComplex(0)) c.pop_back();
   if (c.size() < 2) return {};
   if (c.size() == 2) return {-c[0] / c[1]};
-  using Matrix = Eigen::Matrix<WideComplex, Eigen::Dynamic, Eigen::Dynamic>;
   const auto n = static_cast<Eigen::Index>(c.size() - 1);
   Matrix companion = Matrix::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     if (i + 1 < n) companion(i + 1, i) = 1;
     companion(i, n - 1) = -c[static_cast<std::size_t>(i)] / c.back();
   }
-  const Eigen::ComplexEigenSolver<Matrix> solver(companion, false);
-  return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+  return eigenvalues_of(companion);
 }
 
 }  // namespace odemark

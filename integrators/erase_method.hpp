@@ -1,8 +1,8 @@
 // Compiles a method once per number type against an erased system.
 #pragma once
 
-#include "integrators/any_method.hpp"
-#include "integrators/measured_steps.hpp"
+#include "integrators/erased_stepper.hpp"
+#include "integrators/grid_sampler.hpp"
 
 namespace odemark {
 
@@ -22,41 +22,62 @@ auto& engine_of(S& stepper) {
     return stepper;
 }
 
-/// One run under either control. A method without an estimate under error control is not applicable.
-template <const auto& method, class P, class Observer = NoObserver>
-RunReport solve(const P& system, const Control& control, double t0, double t1, typename P::State& y,
-                Observer&& observe = {}) {
+/// error_order(), or 0 for a method without an estimate.
+template <const auto& method>
+constexpr int error_order_if_any() {
+  if constexpr (method.embedded_order > 0)
+    return error_order<method>();  // the estimate is as good as the worse of the two, whichever is carried on
+  else
+    return 0;
+}
+
+/// One run under either control, in a loop of its own: what is timed.
+template <const auto& method, class P>
+RunReport solve(const P& system, const Control& control, double t0, double t1, typename P::State& y) {
   if constexpr (HasDriver<method, P>) {
-    return KindOf<method>::template drive<method>(system, control, t0, t1, y, observe);
+    return KindOf<method>::template drive<method>(system, control, t0, t1, y, NoObserver{});
   } else {
     StepperOf<method, P> named(system, y);
     auto& stepper = engine_of(named);
-    if (const auto* fixed = std::get_if<FixedSteps>(&control))
-      return integrate(stepper, *fixed, t0, t1, y, observe);
-    // the estimate is as good as the worse of the two, whichever of them is carried on
+    if (const auto* fixed = std::get_if<FixedSteps>(&control)) return integrate(stepper, *fixed, t0, t1, y);
     if constexpr (method.embedded_order > 0)
-      return integrate(stepper, system, std::get<ErrorControl>(control), error_order<method>(), t0, t1, y,
-                       observe);
-    RunReport report;
-    report.status = RunStatus::not_applicable;
-    report.reason = "has no error estimate: give a fixed number of steps";
-    report.t_reached = t0;
-    return report;
+      return integrate(stepper, system, std::get<ErrorControl>(control), error_order<method>(), t0, t1, y);
+    return no_error_estimate(t0);
+  }
+}
+
+/// The same numbers from the loop that all methods share.
+template <const auto& method, class T>
+RunReport solve_shared(const ErasedSystem<T>& system, const Control& control, double t0, double t1,
+                       std::vector<T>& y) {
+  if constexpr (HasDriver<method, ErasedSystem<T>>) {
+    return solve<method>(system, control, t0, t1, y);
+  } else {
+    StepperOf<method, ErasedSystem<T>> stepper(system, y);
+    return solve_erased(ErasedStepper<T>(engine_of(stepper)), system, control, error_order_if_any<method>(),
+                        t0, t1, y);
   }
 }
 
 template <const auto& method, class T>
 RunReport solve_traced(const ErasedSystem<T>& counted, const ErasedSystem<T>& bare, const Control& control,
                        double t0, double t1, std::vector<T>& y, Trace<T>& trace) {
-  StepperOf<method, ErasedSystem<T>> side(bare, y);
-  GridSampler sampler(engine_of(side), bare.size, t0, t1, y, trace);
-  return solve<method>(counted, control, t0, t1, y, sampler);
+  StepperOf<method, ErasedSystem<T>> between(bare, y);
+  ErasedStepper<T> side(engine_of(between));
+  if constexpr (HasDriver<method, ErasedSystem<T>>) {
+    GridSampler sampler(side, bare.size, t0, t1, y, trace);
+    return KindOf<method>::template drive<method>(counted, control, t0, t1, y, sampler);
+  } else {
+    StepperOf<method, ErasedSystem<T>> stepper(counted, y);
+    return solve_erased_traced(ErasedStepper<T>(engine_of(stepper)), side, counted, control,
+                               error_order_if_any<method>(), t0, t1, y, trace);
+  }
 }
 
 template <const auto& method, class T>
 TransitionMatrix<T> transition(const ErasedSystem<T>& homogeneous, T h) {
   StepperOf<method, ErasedSystem<T>> stepper(homogeneous, std::vector<T>(homogeneous.size, T(0)));
-  return transition_of(engine_of(stepper), homogeneous.size, h);
+  return transition_of(ErasedStepper<T>(engine_of(stepper)), homogeneous.size, h);
 }
 
 template <const auto& method, class T>
@@ -64,9 +85,11 @@ MethodRuns<T> runs_of() {
   using E = ErasedSystem<T>;
   MethodRuns<T> runs;
   if constexpr (Applicable<method, E>) {
-    runs.solve = [](const E& system, const Control& control, double t0, double t1, std::vector<T>& y) {
-      return solve<method>(system, control, t0, t1, y);
-    };
+    // double is what is timed
+    if constexpr (std::is_same_v<T, double>)
+      runs.solve = solve<method, E>;
+    else
+      runs.solve = solve_shared<method, T>;
     runs.solve_traced = solve_traced<method, T>;
     if constexpr (!HasDriver<method, E> && !requires { KindOf<method>::has_transition; })
       runs.transition = transition<method, T>;

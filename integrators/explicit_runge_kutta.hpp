@@ -48,33 +48,10 @@ struct ExplicitRungeKutta {
   }
   Theory theory() const {
     Theory theory = runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr);
-    theory.numerator = stability_polynomial();
-    theory.denominator = {1};
     Coefficient size = 0;
     for (const Coefficient w : b) size += w < 0 ? -w : w;
     theory.rounding_amplification = cancellation(size);
     return theory;
-  }
-  /// R(z) = 1 + sum_k b' A^(k-1) 1 z^k, summed as it stands: a determinant would lose the digits that
-  /// coefficients of hundreds take. What is below the rounding of its own terms is 0.
-  std::vector<Coefficient> stability_polynomial() const {
-    std::vector<Coefficient> polynomial{1};
-    std::array<Coefficient, Stages> power, size;
-    power.fill(1), size.fill(1);
-    const auto magnitude = [](Coefficient x) { return x < 0 ? -x : x; };
-    for (std::size_t k = 1; k <= Stages; ++k) {
-      Coefficient sum = 0, scale = 0;
-      std::array<Coefficient, Stages> next{}, next_size{};
-      for (std::size_t i = 0; i < Stages; ++i) {
-        sum += b[i] * power[i], scale += magnitude(b[i]) * size[i];
-        for (std::size_t j = 0; j < i; ++j)
-          next[i] += a[i][j] * power[j], next_size[i] += magnitude(a[i][j]) * size[j];
-      }
-      polynomial.push_back(magnitude(sum) > 1e-18L * Coefficient(Stages) * scale ? sum : 0);
-      power = next, size = next_size;
-    }
-    while (polynomial.back() == 0) polynomial.pop_back();
-    return polynomial;
   }
 
   template <const auto& method, System P>

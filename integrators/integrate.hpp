@@ -70,6 +70,43 @@ concept ChoosesSteps = ControlledStepper<S> && requires(S s, RealOf<typename S::
   { s.own_factor(h, 0.5) } -> std::same_as<RealOf<typename S::State>>;
 };
 
+/// What a stepper can do: known at compile time, or asked of one whose type is gone (ErasedStepper::can).
+template <class S>
+constexpr bool can_compensate(const S& stepper) {
+  if constexpr (requires { stepper.can(); })
+    return stepper.can().compensated;
+  else
+    return CompensatedStepper<S>;
+}
+template <class S>
+constexpr bool is_controlled(const S& stepper) {
+  if constexpr (requires { stepper.can(); })
+    return stepper.can().controlled;
+  else
+    return ControlledStepper<S>;
+}
+template <class S>
+constexpr bool chooses_steps(const S& stepper) {
+  if constexpr (requires { stepper.can(); })
+    return stepper.can().choose_steps;
+  else
+    return ChoosesSteps<S>;
+}
+template <class S>
+constexpr bool has_second_error(const S& stepper) {
+  if constexpr (requires { stepper.can(); })
+    return stepper.can().second_error;
+  else
+    return requires { stepper.second_error(); };
+}
+template <class S>
+constexpr bool keeps_history(const S& stepper) {
+  if constexpr (requires { stepper.can(); })
+    return stepper.can().history;
+  else
+    return HasHistory<S>;
+}
+
 namespace detail {
 
 template <Stepper S, class Observer>
@@ -88,7 +125,7 @@ template <Stepper S, class Observer>
     report.newton = newton_counts_of(stepper);
     return report;
   };
-  if (steps.compensated && !CompensatedStepper<S>) {
+  if (steps.compensated && !can_compensate(stepper)) {
     report.reason = "has no compensated summation";
     return stop(RunStatus::not_applicable, begin);
   }
@@ -186,10 +223,10 @@ template <class S, class Floors>
                                                     const typename S::State& y, const typename S::State& next,
                                                     double relative, const Floors& floors) {
   if constexpr (requires { stepper.second_error(); })
-    return combined_square(mean_square_error(error, y, next, relative, floors),
-                           mean_square_error(stepper.second_error(), y, next, relative, floors));
-  else
-    return mean_square_error(error, y, next, relative, floors);
+    if (has_second_error(stepper))
+      return combined_square(mean_square_error(error, y, next, relative, floors),
+                             mean_square_error(stepper.second_error(), y, next, relative, floors));
+  return mean_square_error(error, y, next, relative, floors);
 }
 
 namespace detail {
@@ -241,10 +278,11 @@ template <Stepper S, class P, class Observer>
                                         : mean_square_of(stepper, error, y, next, relative, floors);
     const auto change_step = [&] {
       Real factor;
-      if constexpr (ChoosesSteps<S>)
-        factor = stepper.own_factor(h, std::sqrt(square));
-      else
+      if (chooses_steps(stepper)) {
+        if constexpr (ChoosesSteps<S>) factor = stepper.own_factor(h, std::sqrt(square));
+      } else {
         factor = Real(filter.next_factor(square));
+      }
       if constexpr (AdvisesOnSteps<S>) factor = stepper.choose_factor(factor, std::sqrt(square));
       h *= factor;
     };
@@ -259,7 +297,7 @@ template <Stepper S, class P, class Observer>
         std::swap(y, next);
       t = t_next;
       if (!go_on) return stop(RunStatus::time_limit);
-      if (!ControlledStepper<S> && filter.keeps(square)) [[likely]]
+      if (!is_controlled(stepper) && filter.keeps(square)) [[likely]]
         filter.kept(square);
       else
         change_step();

@@ -31,7 +31,20 @@ struct Nystrom {
   constexpr bool first_same_as_last() const {
     return Stages > 1 && c[Stages - 1] == 1 && a[Stages - 1] == b_position && c[0] == 0;
   }
-  Theory theory() const { return nystrom_theory(*this); }
+  Theory theory() const {
+    NystromTableau t{.stages = Stages,
+                     .c = as_data(c),
+                     .a = as_data(a),
+                     .b_position = as_data(b_position),
+                     .b_velocity = as_data(b_velocity),
+                     .b_position_embedded{},
+                     .b_velocity_embedded{}};
+    if (embedded_order > 0) {
+      t.b_position_embedded = as_data(b_position_embedded);
+      t.b_velocity_embedded = as_data(b_velocity_embedded);
+    }
+    return nystrom_theory(std::move(t));
+  }
 
   template <const auto& method, SecondOrderSystem P>
   using Stepper = NystromStepper<method, P>;

@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "integrators/stepper.hpp"
@@ -65,85 +66,35 @@ struct Theory {
   std::string_view blank_reason = "";  // why nothing can be said, where nothing can
 };
 
+/// A row, or the rows of a square one after the other, as data of run-time size.
+std::vector<Coefficient> as_data(std::span<const Coefficient> row);
+template <std::size_t S>
+std::vector<Coefficient> as_data(const std::array<std::array<Coefficient, S>, S>& rows) {
+  std::array<Coefficient, S * S> all;
+  for (std::size_t i = 0; i < S * S; ++i) all[i] = rows[i / S][i % S];
+  return as_data(std::span<const Coefficient>(all));
+}
+
 /// What weights that cancel make of the rounding of what they weigh; ordinary ones count as 1.
 inline Coefficient cancellation(Coefficient sum_of_magnitudes) {
   return sum_of_magnitudes > 10 ? sum_of_magnitudes : 1;
 }
 
 /// R(z) = det(I - zA + z 1 b') / det(I - zA) (Hairer & Wanner, Solving ODEs II, IV.3), both by the
-/// Faddeev-LeVerrier recursion. For strictly lower triangular A the denominator is 1.
+/// Faddeev-LeVerrier recursion; b' A^k 1 summed as it stands where A is strictly lower triangular. The
+/// tableau is kept.
+Theory runge_kutta_theory(Tableau tableau);
 template <std::size_t S>
 Theory runge_kutta_theory(const std::array<std::array<Coefficient, S>, S>& a,
                           const std::array<Coefficient, S>& b,
                           const std::array<Coefficient, S>* b_embedded = nullptr) {
-  using Matrix = std::array<std::array<Coefficient, S>, S>;
-  // det(I - z M) = sum_k q_k z^k with q_k the coefficients of the characteristic polynomial of M
-  const auto determinant = [](const Matrix& m) {
-    std::vector<Coefficient> q{1};
-    Matrix power{};
-    for (std::size_t i = 0; i < S; ++i) power[i][i] = 1;
-    for (std::size_t k = 1; k <= S; ++k) {
-      Matrix product{};
-      for (std::size_t i = 0; i < S; ++i)
-        for (std::size_t j = 0; j < S; ++j)
-          for (std::size_t l = 0; l < S; ++l) product[i][j] += m[i][l] * power[l][j];
-      Coefficient trace = 0;
-      for (std::size_t i = 0; i < S; ++i) trace += product[i][i];
-      q.push_back(-trace / Coefficient(k));
-      power = product;
-      for (std::size_t i = 0; i < S; ++i) power[i][i] += q.back();
-    }
-    return q;
-  };
-  Matrix shifted = a;
-  for (std::size_t i = 0; i < S; ++i)
-    for (std::size_t j = 0; j < S; ++j) shifted[i][j] -= b[j];
-  Theory theory;
-  theory.numerator = determinant(shifted);
-  theory.denominator = determinant(a);
-  theory.tableau.stages = S;
-  for (const auto& row : a) theory.tableau.a.insert(theory.tableau.a.end(), row.begin(), row.end());
-  theory.tableau.b.assign(b.begin(), b.end());
-  if (b_embedded) theory.tableau.b_embedded.assign(b_embedded->begin(), b_embedded->end());
-  // powers beyond the degree are rounding noise of the recursion, not coefficients
-  for (auto* polynomial : {&theory.numerator, &theory.denominator})
-    while (polynomial->size() > 1 && polynomial->back() < 1e-16L && polynomial->back() > -1e-16L)
-      polynomial->pop_back();
-  return theory;
+  Tableau tableau{.stages = S, .a = as_data(a), .b = as_data(b), .b_embedded{}, .gamma{}};
+  if (b_embedded) tableau.b_embedded = as_data(*b_embedded);
+  return runge_kutta_theory(std::move(tableau));
 }
 
 /// Stage positions on the oscillator are x p_i + (h v) r_i with polynomials in q = h^2 stiffness: p_i = 1 - q
-/// sum_j a_ij p_j, r_i = c_i - q sum_j a_ij r_j.
-template <class Method>
-Theory nystrom_theory(const Method& m) {
-  constexpr std::size_t S = Method::stages;
-  using Polynomial = std::vector<Coefficient>;
-  const auto combined = [&](Coefficient constant, const auto& weights, const std::vector<Polynomial>& of) {
-    Polynomial sum(S + 1, 0);
-    sum[0] = constant;
-    for (std::size_t j = 0; j < of.size(); ++j)
-      for (std::size_t k = 0; k < S; ++k) sum[k + 1] -= weights[j] * of[j][k];
-    return sum;
-  };
-  std::vector<Polynomial> p, r;
-  for (std::size_t i = 0; i < S; ++i) {
-    auto next_p = combined(1, m.a[i], p), next_r = combined(m.c[i], m.a[i], r);
-    p.push_back(std::move(next_p)), r.push_back(std::move(next_r));
-  }
-  Theory theory;
-  theory.oscillator = {combined(1, m.b_position, p), combined(1, m.b_position, r),
-                       combined(0, m.b_velocity, p), combined(1, m.b_velocity, r)};
-  auto& t = theory.nystrom;
-  t.stages = S;
-  for (const auto& row : m.a) t.a.insert(t.a.end(), row.begin(), row.end());
-  t.c.assign(m.c.begin(), m.c.end());
-  t.b_position.assign(m.b_position.begin(), m.b_position.end());
-  t.b_velocity.assign(m.b_velocity.begin(), m.b_velocity.end());
-  if (m.embedded_order > 0) {
-    t.b_position_embedded.assign(m.b_position_embedded.begin(), m.b_position_embedded.end());
-    t.b_velocity_embedded.assign(m.b_velocity_embedded.begin(), m.b_velocity_embedded.end());
-  }
-  return theory;
-}
+/// sum_j a_ij p_j, r_i = c_i - q sum_j a_ij r_j. The tableau is kept.
+Theory nystrom_theory(NystromTableau tableau);
 
 }  // namespace odemark

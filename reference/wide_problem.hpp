@@ -1,19 +1,15 @@
 // A problem in fifty-digit arithmetic: what truths are computed from.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <memory>
 #include <string_view>
 #include <vector>
 
 #include "integrators/tape.hpp"
 #include "reference/any_problem.hpp"
+#include "reference/wide.hpp"
 
 namespace odemark {
-
-/// Header-only, no LGPL, the same bits everywhere; expression templates off, so that `auto` is safe.
-using Wide =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
 /// The right-hand side between two switch times. It is smooth there but for kinks of abs.
 struct WidePhase {
