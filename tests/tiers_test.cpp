@@ -94,8 +94,8 @@ TEST(Tiers, EveryMarkedPairThatAppliesIsThereAndNoOther) {
   ASSERT_FALSE(marked.contains({"oscillator", "verner87"}));
   for (const auto& family : suite_families())
     for (const auto& method : suite_methods()) {
-      const bool is_static = marked.contains({family.id, method.id}) &&
-                             missing_ability(method.needs, family.abilities).empty();
+      const bool is_static =
+          marked.contains({family.id, method.id}) && missing_ability(method.needs, family.abilities).empty();
       EXPECT_EQ(find_static_run(family.id, method.id) != nullptr, is_static) << family.id << "/" << method.id;
     }
   EXPECT_EQ(find_static_run("oscillator", "no_such_method"), nullptr);
