@@ -53,6 +53,9 @@ struct AnyMethod {
   std::string_view note = "";     // what a reader of its rows must know
   std::string_view advice = "";   // when to use it and when not, in a line
   bool own_step_control = false;  // under error control it does not ask the step-size filter
+  bool solves_equations = false;  // a step fails where an equation has no solution that it finds
+  bool propagates_lower = false;  // of its two formulas the one of lower order is carried on
+  bool jumps_over_poles = false;  // its step exists on the far side of a singularity too, as a finite number
   std::function<Theory()> theory;
   std::tuple<MethodRuns<float>, MethodRuns<double>, MethodRuns<long double>> by_type;
 

@@ -13,8 +13,8 @@
 namespace odemark {
 
 /// The unknown of stage i is z = h a_ii f(base + z). Started plainly every stage is solved to round-off with
-/// the Jacobian of the start of the step; started with an error control the iteration stops by the tolerance,
-/// and Jacobian and factors are kept while they serve.
+/// the Jacobian where the first implicit stage is expected; started with an error control the iteration stops
+/// by the tolerance, and Jacobian and factors are kept while they serve.
 template <const auto& method, System P>
 class DiagonallyImplicitRungeKuttaStepper {
  public:
@@ -22,8 +22,8 @@ class DiagonallyImplicitRungeKuttaStepper {
   using Real = RealOf<State>;
 
   DiagonallyImplicitRungeKuttaStepper(const P& system, const State& model)
-      : system_(system), size_(size_of(model)), lu_(size_) {
-    for (State* s : {&stage_, &base_, &spare_, &correction_, &z_, &weight_, &last_slope_})
+      : system_(system), size_(size_of(model)), lu_(size_), last_lu_(size_) {
+    for (State* s : {&stage_, &base_, &spare_, &correction_, &z_, &weight_, &last_slope_, &last_point_})
       *s = zeros_like(model);
     slopes_.fill(stage_);
     if constexpr (N == 0) jacobian_.resize(size_ * size_);
@@ -41,6 +41,11 @@ class DiagonallyImplicitRungeKuttaStepper {
   void accept() {
     std::swap(last_slope_, slopes_[S - 1]);
     last_slope_known_ = true;
+    if (!control_) {
+      std::swap(last_point_, stage_);
+      std::swap(last_lu_, lu_);
+      last_shift_ = foreseeable_ ? factored_ : 0;
+    }
     jacobian_is_current_ = false;
     keep_jacobian_ = control_ && newton_.converges_fast();
     attempts_ = 0;
@@ -66,7 +71,10 @@ class DiagonallyImplicitRungeKuttaStepper {
   }
   StepStatus attempt_compensated(Real t, const State& y, const State& carry, Real h, State& next,
                                  State& next_carry) {
-    if (!solve_stages(t, y, h)) return StepStatus::newton_diverged;
+    compensated_ = true;
+    const bool solved = solve_stages(t, y, h);
+    compensated_ = false;
+    if (!solved) return StepStatus::newton_diverged;
     clear(correction_);
     add_slopes(correction_, h, table.b, correction_);
     add_compensated(y, carry, correction_, next, next_carry);
@@ -75,6 +83,12 @@ class DiagonallyImplicitRungeKuttaStepper {
 
  private:
   static constexpr std::size_t S = method.stages, N = inlined_size<State>;
+  enum class Jacobian { kept, renewed, new_each_time };
+  static constexpr std::size_t first_implicit = [] {
+    std::size_t i = 0;
+    while (method.a[i][i] == 0) ++i;
+    return i;
+  }();
 
   /// The coefficients in the number type of the step.
   struct Table {
@@ -137,7 +151,7 @@ class DiagonallyImplicitRungeKuttaStepper {
 
   void forget() {
     keep_jacobian_ = jacobian_is_current_ = last_slope_known_ = false;
-    factored_ = 0;
+    factored_ = last_shift_ = 0;
     attempts_ = 0;
   }
   void refresh_jacobian(Real t, const State& y) {
@@ -157,14 +171,18 @@ class DiagonallyImplicitRungeKuttaStepper {
   }
 
   bool solve_stages(Real t, const State& y, Real h) {
-    if (control_) set_weights(y), newton_.begin_step();
+    if (!control_) {
+      foreseeable_ = true;
+      return run_stages(t, y, h);
+    }
+    set_weights(y), newton_.begin_step();
     if (!jacobian_is_current_ && (!keep_jacobian_ || attempts_ > 0)) {
       refresh_jacobian(t, y);
       jacobian_is_current_ = true;
     }
     ++attempts_;
     if (run_stages(t, y, h)) return true;
-    if (!control_ || jacobian_is_current_) return false;
+    if (jacobian_is_current_) return false;
     refresh_jacobian(t, y);
     jacobian_is_current_ = true;
     newton_.begin_step();
@@ -177,22 +195,19 @@ class DiagonallyImplicitRungeKuttaStepper {
       add_slopes(y, h, table.a[i], base_, i);
       if (table.a[i][i] == 0) {
         // the last stage of a stiffly accurate step has it already, without the noise of f
-        if (control_ && i == 0 && method.stiffly_accurate() && last_slope_known_)
+        if (i == 0 && method.stiffly_accurate() && last_slope_known_)
           slopes_[0] = last_slope_;
         else
           system_.rhs(stage_time, base_, slopes_[i]);
         continue;
       }
       const Real shift = 1 / (h * table.a[i][i]);
-      guess_stage(i, shift);
-      factorize(shift);
       if (control_) {
-        if (!iterate_to_tolerance(i, stage_time, shift)) return false;
-      } else if (!iterate_to_round_off(i, stage_time, shift, false)) {
-        // the Jacobian of the start may be far from that of the stage: once more, with Newton proper
-        clear(z_);
-        jacobian_is_current_ = false;
-        if (!iterate_to_round_off(i, stage_time, shift, true)) return false;
+        guess_stage(i, shift);
+        factorize(shift);
+        if (!iterate_to_tolerance(stage_time, shift)) return false;
+      } else if (!solve_stage(i, t, y, stage_time, shift)) {
+        return false;
       }
       for_each_component(z_, [&](std::size_t n) {
         stage_.data()[n] = base_.data()[n] + z_.data()[n];
@@ -210,10 +225,25 @@ class DiagonallyImplicitRungeKuttaStepper {
       for_each_component(z_, [&](std::size_t n) { z_.data()[n] = last_slope_.data()[n] / shift; });
     }
   }
+  /// What an iteration would make of the last stage of the last step, for whose factors nothing is evaluated.
+  void foresee_stage(Real shift) {
+    for_each_component(z_, [&](std::size_t n) {
+      z_.data()[n] = last_point_.data()[n] - base_.data()[n];
+      correction_.data()[n] = last_slope_.data()[n] - shift * z_.data()[n];
+    });
+    last_lu_.solve_in_place(correction_.data());
+    for_each_component(z_, [&](std::size_t n) { z_.data()[n] += correction_.data()[n]; });
+  }
+  void start_from(const State& y) {
+    for_each_component(z_, [&](std::size_t n) { z_.data()[n] = y.data()[n] - base_.data()[n]; });
+  }
+  void find_stage() {
+    for_each_component(z_, [&](std::size_t n) { stage_.data()[n] = base_.data()[n] + z_.data()[n]; });
+  }
 
   /// correction = (shift I - J)^-1 (f(base + z) - shift z), the slope left in `spare`.
   void correct(Real stage_time, Real shift) {
-    for_each_component(z_, [&](std::size_t n) { stage_.data()[n] = base_.data()[n] + z_.data()[n]; });
+    find_stage();
     system_.rhs(stage_time, stage_, spare_);
     for_each_component(
         z_, [&](std::size_t n) { correction_.data()[n] = spare_.data()[n] - shift * z_.data()[n]; });
@@ -221,7 +251,7 @@ class DiagonallyImplicitRungeKuttaStepper {
     ++counts_.newton;
   }
 
-  bool iterate_to_tolerance(std::size_t, Real stage_time, Real shift) {
+  bool iterate_to_tolerance(Real stage_time, Real shift) {
     newton_.begin();
     for (;;) {
       correct(stage_time, shift);
@@ -235,12 +265,32 @@ class DiagonallyImplicitRungeKuttaStepper {
       if (verdict != NewtonVerdict::go_on) return verdict == NewtonVerdict::converged;
     }
   }
-  /// `every` refreshes the Jacobian in every iteration.
-  bool iterate_to_round_off(std::size_t, Real stage_time, Real shift, bool every) {
-    RoundOffStop<Real> stop(every ? 48 : 20);
-    for (;;) {
-      if (every) {
-        for_each_component(z_, [&](std::size_t n) { stage_.data()[n] = base_.data()[n] + z_.data()[n]; });
+  bool solve_stage(std::size_t i, Real t, const State& y, Real stage_time, Real shift) {
+    if (i == first_implicit) {
+      if (last_shift_ == shift) {
+        foresee_stage(shift);
+        find_stage();
+        refresh_jacobian(stage_time, stage_);
+        factorize(shift);
+        if (iterate_to_round_off(stage_time, shift, Jacobian::kept)) return true;
+        foreseeable_ = false;
+      }
+      refresh_jacobian(t, y);
+      start_from(y);
+    } else {
+      guess_stage(i, shift);
+    }
+    factorize(shift);
+    if (iterate_to_round_off(stage_time, shift, Jacobian::renewed)) return true;
+    start_from(y);
+    return iterate_to_round_off(stage_time, shift, Jacobian::new_each_time);
+  }
+
+  bool iterate_to_round_off(Real stage_time, Real shift, Jacobian jacobian) {
+    RoundOffStop<Real> stop(jacobian == Jacobian::new_each_time ? 48 : 20);
+    for (bool refresh = jacobian == Jacobian::new_each_time;;) {
+      if (refresh) {
+        find_stage();
         refresh_jacobian(stage_time, stage_);
         factorize(shift);
       }
@@ -249,26 +299,31 @@ class DiagonallyImplicitRungeKuttaStepper {
       for_each_component(z_, [&](std::size_t n) {
         z_.data()[n] += correction_.data()[n];
         moved += std::abs(correction_.data()[n]);
-        size += std::abs(z_.data()[n]);
+        size += std::abs(compensated_ ? z_.data()[n] : base_.data()[n] + z_.data()[n]);
         terms += std::abs(base_.data()[n]) + std::abs(spare_.data()[n] / shift);
       });
       const auto verdict = stop.judge(moved, size, terms);
       if (verdict != NewtonVerdict::go_on) return verdict == NewtonVerdict::converged;
+      if (stop.is_slow()) {
+        foreseeable_ = false;
+        refresh = true;
+      }
     }
   }
 
   const P& system_;
   std::size_t size_;
-  ShiftedLu<Real, Real, N> lu_;
+  ShiftedLu<Real, Real, N> lu_, last_lu_;
   std::conditional_t<N == 0, std::vector<Real>, std::array<Real, N * N>> jacobian_{};
   std::array<State, S> slopes_;
-  State stage_, base_, spare_, correction_, z_, weight_, last_slope_;
+  State stage_, base_, spare_, correction_, z_, weight_, last_slope_, last_point_;
   const ErrorControl* control_ = nullptr;
   NewtonControl<Real> newton_;
   NewtonCounts counts_;
-  Real factored_ = 0;  // the shift of the factors, 0 where there are none
-  int attempts_ = 0;   // since the last accepted step
-  bool keep_jacobian_ = false, jacobian_is_current_ = false, last_slope_known_ = false;
+  Real factored_ = 0, last_shift_ = 0;  // the shifts of the factors, 0 where there are none
+  int attempts_ = 0;                    // since the last accepted step
+  bool keep_jacobian_ = false, jacobian_is_current_ = false, last_slope_known_ = false, compensated_ = false,
+       foreseeable_ = false;
 };
 
 }  // namespace odemark

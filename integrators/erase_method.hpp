@@ -108,6 +108,9 @@ AnyMethod erase_method() {
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
   if constexpr (requires { method.note; }) any.note = method.note;
   if constexpr (requires { method.advice; }) any.advice = method.advice;
+  if constexpr (requires { Kind::solves_equations; }) any.solves_equations = Kind::solves_equations;
+  if constexpr (requires { method.propagates_lower; }) any.propagates_lower = method.propagates_lower;
+  if constexpr (requires { method.jumps_over_poles; }) any.jumps_over_poles = method.jumps_over_poles;
   any.own_step_control = ChoosesSteps<StepperOf<method, ErasedSystem<double>>>;
   if constexpr (HasDriver<method, ErasedSystem<double>>) {
     any.takes_fixed_steps = Kind::takes_fixed_steps, any.takes_error_control = true;

@@ -21,7 +21,8 @@ struct ExplicitRungeKutta {
 
   std::string_view id, source, note = "", advice = "";
   int order;
-  int embedded_order = 0;  // 0: no error estimate; above `order` where the lower formula is propagated
+  int embedded_order = 0;         // 0: no error estimate
+  bool propagates_lower = false;  // embedded_order is order + 1: the better formula only estimates
   std::array<std::array<Coefficient, Stages>, Stages> a{};
   std::array<Coefficient, Stages> b{};
   std::array<Coefficient, Stages> b_embedded{};
@@ -48,9 +49,7 @@ struct ExplicitRungeKutta {
   }
   Theory theory() const {
     Theory theory = runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr);
-    Coefficient size = 0;
-    for (const Coefficient w : b) size += w < 0 ? -w : w;
-    theory.rounding_amplification = cancellation(size);
+    theory.rounding_amplification = sum_of_magnitudes(b);
     return theory;
   }
 

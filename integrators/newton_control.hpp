@@ -18,13 +18,20 @@ class RoundOffStop {
  public:
   explicit RoundOffStop(int most) : most_(most) {}
 
+  /// A Jacobian from here would save several iterations, and here is near enough to the solution: far from it
+  /// a new one may lead to another solution.
+  bool is_slow() const { return slow_ && previous_ < first_ / 64; }
+
   NewtonVerdict judge(Real moved, Real size, Real terms) {
     constexpr Real unit = std::numeric_limits<Real>::epsilon();
     if (!std::isfinite(moved + size)) return NewtonVerdict::hopeless;
     // the next correction would be lost in the last bit; or corrections that no longer shrink, small already
-    const bool invisible = moved <= unit * size / 8 || moved * moved <= unit * size / 8 * previous_;
+    const bool invisible =
+        moved <= unit * size / 8 || (iteration_ > 0 && moved * moved <= unit * size / 8 * previous_);
     const bool stalled = moved >= previous_ / 2 && moved <= 4096 * unit * (size + terms);
-    if ((iteration_ > 0 && invisible) || stalled || moved == 0) return NewtonVerdict::converged;
+    if (invisible || stalled || moved == 0) return NewtonVerdict::converged;
+    slow_ = moved > previous_ / 8;
+    if (iteration_ == 0) first_ = moved;
     if (++iteration_ >= most_) return NewtonVerdict::hopeless;
     if (most_ <= 20 && iteration_ > 3 && moved > 2 * previous_) return NewtonVerdict::hopeless;
     previous_ = moved;
@@ -33,7 +40,8 @@ class RoundOffStop {
 
  private:
   int most_, iteration_ = 0;
-  Real previous_ = std::numeric_limits<Real>::infinity();
+  bool slow_ = false;
+  Real first_ = 0, previous_ = std::numeric_limits<Real>::infinity();
 };
 
 /// power: the tolerance of the iteration and of the estimate is 0.1 tolerance^power where that is below 1; an

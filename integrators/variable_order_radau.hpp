@@ -14,6 +14,7 @@ class VariableOrderRadauStepper;
 struct VariableOrderRadau {
   static constexpr std::string_view kind_name = "variable-order Radau IIA";
   static constexpr unsigned needs = 0;
+  static constexpr bool solves_equations = true;
   static constexpr bool takes_fixed_steps = false;
 
   std::string_view id, source;

@@ -162,6 +162,13 @@ TEST(Facts, WindowsOfSplittings) {
   EXPECT_TRUE(*facts.symmetric);
 }
 
+TEST(Facts, WindowsOfPefrl) {
+  const auto pefrl = facts_of("pefrl");
+  EXPECT_NEAR(double(*pefrl.oscillator_limit), 2.98945, 5e-6);
+  ASSERT_FALSE(pefrl.oscillator_windows->empty());
+  EXPECT_NEAR(double(pefrl.oscillator_windows->front().first), 3.50542, 5e-6);
+}
+
 TEST(Facts, DampedSprings) {
   struct Row {
     std::string_view id;

@@ -49,5 +49,18 @@ TEST(Published, RobertsonOfTheBariTestSet) {
                    2e-12);
 }
 
+/// W. H. Enright, J. D. Pryce, ACM Algorithm 648 (1987), class F at t = 20. The second component of F1 is
+/// exactly 0: the pushes come at its zeros. Copies of F4 differ: without the power 16 of the needle's
+/// denominator (two ports) or with 2/21 = 0 in whole numbers (one of them) y(10) is not 1/21.
+TEST(Published, ClassFOfDetest) {
+  expect_published("detest_f2", {70.03731057008607}, 1e-14);
+  expect_published("detest_f3", {-3.726957553088175e-1, -6.230137949234190e-1}, 1e-12);
+  expect_published("detest_f4", {9.815017249707434e-11}, 1e-13);
+  expect_published("detest_f5", {1.0}, 1e-14);
+  const auto first = truth_of(find_problem(suite_families(), "detest_f1"));
+  EXPECT_NEAR(double(first->last().values[0].hi), -12.94460621213470, 1e-13);
+  EXPECT_NEAR(double(first->last().values[1].hi), 0, 1e-13);
+}
+
 }  // namespace
 }  // namespace odemark
