@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <regex>
 
-#include "integrators/linear_stability_parts.hpp"
+#include "bench/expected_order.hpp"
+#include "integrators/lowered_order.hpp"
 #include "reports/observed_order.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
@@ -21,7 +20,6 @@ struct Ground {
   std::vector<long double> end;
   bool nonlinear, driven, damped;
   bool turning = false;  // only for methods that need a rigid body
-  bool torque_depends_on_rate = false;
 };
 
 /// High orders need long intervals: on short ones two rungs of the ladder lead from nothing to round-off.
@@ -48,7 +46,6 @@ std::vector<Ground> make_grounds(bool long_ones) {
   add([](const std::string& s) { return probe::problem<probe::DrivenTop>(s); }, 2, 8, true, true, false);
   add(suite("free_rigid_body_tumbling"), 2, 8, true, false, false);
   add([](const std::string& s) { return probe::problem<probe::DampedTop>(s); }, 2, 8, true, true, true);
-  made.back().torque_depends_on_rate = true;
   for (std::size_t i = first_body; i < made.size(); ++i) made[i].turning = true;
   return made;
 }
@@ -57,23 +54,10 @@ const std::vector<Ground>& grounds(bool long_ones = false) {
   return long_ones ? long_grounds : short_grounds;
 }
 
-/// "order 1 where the force depends on velocity" in a method's note lowers the expectation there; so does
-/// "the torque depends on the rate".
-int expected_order(const AnyMethod& method, const Ground& ground) {
-  const unsigned abilities = ground.problem.abilities;
-  const bool by_velocity = (abilities & Ability::second_order) && !(abilities & Ability::separable);
-  if (!by_velocity && !ground.torque_depends_on_rate) return method.order;
-  const std::string note(method.note);
-  std::smatch found;
-  const std::regex lowered(by_velocity ? "order ([0-9]+) where the force depends on velocity"
-                                       : "order ([0-9]+) where the torque depends on the rate");
-  return std::regex_search(note, found, lowered) ? std::stoi(found[1]) : method.order;
-}
-
 template <class T>
 ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
   const AnyProblem& problem = ground.problem;
-  const int order = expected_order(method, ground);
+  const int order = expected_order(method, problem).order;
   // the higher the order, the fewer powers of two lie between "too coarse" and round-off
   const double ratio = order > 6 ? 1.15 : order > 4 ? 1.3 : order > 2 ? 1.6 : 2;
   std::vector<Row> rows;
@@ -101,17 +85,6 @@ ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
   return observed_order(rows, options);
 }
 
-/// A second root of rho on the unit circle: on every decay it grows, the faster the shorter the decay, and
-/// what it makes of the rounding and of the start is no error term with an order.
-bool only_weakly_stable(const AnyMethod& method) {
-  const Theory theory = method.theory();
-  if (!detail::is_multistep(theory)) return false;
-  const auto rho = detail::characteristic_of(theory)[0];
-  int on_the_circle = 0;
-  for (const auto& w : polynomial_roots({rho.begin(), rho.end()})) on_the_circle += std::abs(w) > 1 - 1e-6L;
-  return on_the_circle > 1;
-}
-
 class Convergence : public testing::TestWithParam<AnyMethod> {};
 
 TEST_P(Convergence, ClaimedOrderIsObserved) {
@@ -130,7 +103,7 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
   for (std::size_t n = 0; n < grounds().size(); ++n) {
     if (!can_run<double>(method, grounds()[n].problem)) continue;
     if (grounds()[n].turning && !(method.needs & Ability::rotation)) continue;
-    const bool high = expected_order(method, grounds()[n]) > low;
+    const bool high = expected_order(method, grounds()[n].problem).order > low;
     const Ground& ground = grounds(high)[n];
     const ObservedOrder order = high ? measure<long double>(method, ground) : measure<double>(method, ground);
     std::printf("%-36s %-28s claimed %2d observed %6.3f +- %.3f (%d points) %s\n",
@@ -147,7 +120,11 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
       }
       continue;
     }
-    if (ground.damped && only_weakly_stable(method)) continue;
+    if (is_weakly_stable(method.theory())) {
+      EXPECT_EQ(expected_order(method, ground.problem).order == 0, ground.damped) << ground.problem.id;
+      // what it makes of the rounding and of the start is no error term with an order
+      if (ground.damped) continue;
+    }
     ++measured, nonlinear += ground.nonlinear, driven += ground.driven;
     // Its terms of that order are made so small that those of the next are seen beside them: exactly this
     // order is proved by trees (order_conditions_test), and what is seen must come near it from either side.
