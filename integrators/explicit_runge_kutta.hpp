@@ -2,6 +2,7 @@
 #pragma once
 
 #include "integrators/compensated.hpp"
+#include "integrators/paired_stages.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -81,9 +82,11 @@ class ExplicitRungeKuttaStepper {
   [[gnu::always_inline]] StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
     if (!first_known_) system_.rhs(t, y, first_);
     first_known_ = true;  // still f(t, y) if this attempt is rejected
-    if constexpr (is_fixed)
+    if constexpr (in_pairs) {
+      paired_.take_step(system_, t, y, h, State(first_), next, error, second_, last_);
+    } else if constexpr (is_fixed) {
       evaluate_from<1>(t, y, h, next, error, State(first_));
-    else {
+    } else {
       evaluate_stored(t, y, h, next);
       if constexpr (method.has_error_estimate()) [&]<std::size_t... J>(std::index_sequence<J...>) {
           estimate(h, error, slope<J>()...);
@@ -139,20 +142,14 @@ class ExplicitRungeKuttaStepper {
  private:
   static constexpr bool is_fixed = fixed_size<State> > 0;
 
-  template <std::size_t I>
-  struct RowWeights {
-    static constexpr Coefficient value(std::size_t j) { return method.a[I][j]; }
-  };
-  struct MainWeights {
-    static constexpr Coefficient value(std::size_t j) { return method.b[j]; }
-  };
-  struct ErrorWeights {
-    static constexpr Coefficient value(std::size_t j) { return method.b[j] - method.b_embedded[j]; }
-  };
+  static constexpr bool in_pairs = has_paired_stages<method, State>;
+  struct NotPaired {};
 
-  struct SecondErrorWeights {
-    static constexpr Coefficient value(std::size_t j) { return method.b[j] - method.b_second_embedded[j]; }
-  };
+  template <std::size_t I>
+  using RowWeights = TableauRow<method, I>;
+  using MainWeights = RowWeights<RowWeights<0>::step>;
+  using ErrorWeights = RowWeights<RowWeights<0>::error>;
+  using SecondErrorWeights = RowWeights<RowWeights<0>::second_error>;
 
   template <std::size_t I, class... Slopes>
   [[gnu::always_inline]] void evaluate_from(Real t, const State& y, Real h, State& next, State& error,
@@ -236,6 +233,7 @@ class ExplicitRungeKuttaStepper {
   State first_, last_;  // f(t, y) of this step; f at its end where the last stage is the next first
   State stage_{}, increment_{}, second_{};
   std::array<State, is_fixed ? 0 : method.stages> slopes_{};
+  std::conditional_t<in_pairs, PairedStages<method, P>, NotPaired> paired_{};
   bool first_known_ = false;
 };
 

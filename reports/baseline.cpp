@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -15,12 +17,28 @@ using Json = nlohmann::ordered_json;
 
 std::string line_of(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+/// plan/problem/method/scalar[+compensated]/control says the case too; empty for an id of another shape.
+std::string case_of_id(std::string_view id) {
+  std::array<std::string_view, 4> parts;
+  for (auto& part : parts) {
+    const std::size_t slash = id.find('/');
+    if (slash == id.npos) return "";
+    part = id.substr(0, slash), id.remove_prefix(slash + 1);
+  }
+  const std::size_t plus = parts[3].find('+');
+  return case_name({std::string(parts[1]), std::string(parts[2]), std::string(parts[3].substr(0, plus)),
+                    plus != parts[3].npos});
+}
+
+/// What most runs have in common is left out.
 Json run_json(const std::string& id, const BaselineRun& run) {
-  Json j = {{"id", id}, {"case", run.case_name}};
+  Json j = {{"id", id}};
+  if (run.case_name != case_of_id(id)) j["case"] = run.case_name;
   if (run.provider != "odemark") j["provider"] = run.provider;
-  j["status"] = run.status;
+  if (run.status != "reached_end") j["status"] = run.status;
   if (run.scaled && std::isfinite(*run.scaled)) j["scaled"] = *run.scaled;
-  j["evaluations"] = run.evaluations, j["accepted"] = run.accepted, j["rejected"] = run.rejected;
+  j["evaluations"] = run.evaluations, j["accepted"] = run.accepted;
+  if (run.rejected != 0) j["rejected"] = run.rejected;
   if (!run.drift.empty()) {
     Json drift = Json::object();
     for (const auto& [name, value] : run.drift)
@@ -35,6 +53,11 @@ std::string lines_of(const std::vector<Json>& all) {
   std::string out = "[\n";
   for (std::size_t i = 0; i < all.size(); ++i) out += line_of(all[i]) + (i + 1 < all.size() ? ",\n" : "\n");
   return out + "]";
+}
+
+/// Six digits are more than a factor of 1.5 asks for, and half the file.
+double to_six_digits(double x) {
+  return std::isfinite(x) ? std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) : x;
 }
 
 struct BadValue : std::runtime_error {
@@ -67,11 +90,13 @@ long whole(const Json& j, const char* key) {
 
 BaselineRun run_from(const Json& j) {
   BaselineRun run;
-  run.case_name = text(j, "case"), run.status = text(j, "status");
+  run.case_name = case_of_id(text(j, "id")), run.status = "reached_end";
+  if (j.contains("case") || run.case_name.empty()) run.case_name = text(j, "case");
+  if (j.contains("status")) run.status = text(j, "status");
   if (j.contains("provider")) run.provider = text(j, "provider");
   if (j.contains("scaled")) run.scaled = number(j["scaled"], "scaled");
   run.evaluations = whole(j, "evaluations");
-  run.accepted = whole(j, "accepted"), run.rejected = whole(j, "rejected");
+  run.accepted = whole(j, "accepted"), run.rejected = j.contains("rejected") ? whole(j, "rejected") : 0;
   if (j.contains("drift")) {
     if (!j["drift"].is_object()) throw BadValue("\"drift\" is not written { ... }");
     for (const auto& [name, value] : j["drift"].items())
@@ -132,15 +157,16 @@ Baseline make_baseline(const std::vector<Row>& rows, const RunHeader& header, st
   baseline.compiler = header.compiler, baseline.flags = header.flags;
   baseline.build_type = header.build_type, baseline.reason = std::move(reason);
   for (const ObservedOrder& order : observed_orders(rows))
-    if (order.slope) baseline.orders[case_name(order.id)] = *order.slope;
+    if (order.slope) baseline.orders[case_name(order.id)] = to_six_digits(*order.slope);
   for (const Row& row : rows) {
     if (row.status == "not_applicable") continue;
     BaselineRun run;
     run.case_name = case_name(curve_of(row)), run.status = row.status;
     if (!row.provider.empty()) run.provider = row.provider;
-    if (row.errors && std::isfinite(row.errors->scaled)) run.scaled = row.errors->scaled;
+    if (row.errors && std::isfinite(row.errors->scaled)) run.scaled = to_six_digits(row.errors->scaled);
     run.evaluations = row.work.evaluations, run.accepted = row.accepted, run.rejected = row.rejected;
-    run.drift = row.drift, run.state_hash = row.state_hash;
+    for (const auto& [name, value] : row.drift) run.drift[name] = to_six_digits(value);
+    run.state_hash = row.state_hash;
     baseline.runs.insert_or_assign(row.id, std::move(run));
   }
   return baseline;

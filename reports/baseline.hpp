@@ -38,13 +38,14 @@ struct BadBaseline : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Sorted, one case a line, shortest numbers that read back as the same bits: equal baselines are equal
+/// Sorted, one run a line, without what follows from its id or is so of most: equal baselines are equal
 /// bytes.
 std::string to_text(const Baseline& baseline);
 /// Throws BadBaseline.
 Baseline parse_baseline(std::string_view text, std::string_view name = "baseline.json");
 
-/// Everything that was executed; the text of baseline.received.json, and what approve starts from.
+/// Everything that was executed, in six digits; the text of baseline.received.json, and what approve starts
+/// from.
 Baseline make_baseline(const std::vector<Row>& rows, const RunHeader& header, std::string reason);
 
 struct Approval {
