@@ -1,6 +1,7 @@
 // Bare runs of erased methods, and how their results are compared.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <ostream>
