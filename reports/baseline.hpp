@@ -15,7 +15,7 @@
 
 namespace odemark {
 
-inline constexpr int baseline_schema = 1;
+inline constexpr int baseline_schema = 2;
 
 struct BaselineRun {
   std::string case_name;             // "kepler_e06/rk4"; " [float]" where not plain double
@@ -38,8 +38,7 @@ struct BadBaseline : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Sorted, one run a line, without what follows from its id or is so of most: equal baselines are equal
-/// bytes.
+/// Sorted, one ladder a line: equal baselines are equal bytes.
 std::string to_text(const Baseline& baseline);
 /// Throws BadBaseline.
 Baseline parse_baseline(std::string_view text, std::string_view name = "baseline.json");

@@ -145,6 +145,8 @@ void check_drift(const GateCase& gate_case, const Chosen<std::vector<DriftDemand
 
 void check_status(const GateCase& gate_case, const Chosen<StatusDemand>& chosen, const CaseChecks& checks) {
   const StatusDemand& demand = *chosen.demand;
+  const auto& defaults = checks.thresholds.defaults.require_status;
+  const bool by_default = defaults && &demand == &*defaults;
   Tally tally(gate_case, "status", demand.line);
   for (const Row* row : runs_for(gate_case, demand.runs, "status", demand.line, chosen.named, checks)) {
     const bool met =
@@ -152,6 +154,8 @@ void check_status(const GateCase& gate_case, const Chosen<StatusDemand>& chosen,
     const std::string where = control_in_words(*row);
     if (met)
       tally.add(Outcome::pass, fmt::format("{} {}", row->status, where));
+    else if (by_default && row->expected_order == 0)
+      tally.add(Outcome::note, fmt::format("{} {}: {}", row->status, where, row->expected_because));
     else
       tally.add(of_unfinished(*row), fmt::format("{} {}, not {}{}", row->status, where,
                                                  fmt::join(demand.expected, " or "), because(*row)));
