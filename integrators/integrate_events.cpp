@@ -37,16 +37,7 @@ class EventRun {
         end_(t1),
         y_(y),
         trace_(trace),
-        found_(found),
-        left_(y),
-        trial_(y),
-        right_(y),
-        slope_left_(y),
-        slope_right_(y),
-        g_(pieces.events),
-        g_left_(pieces.events),
-        g_trial_(pieces.events),
-        armed_(pieces.events, false) {
+        found_(found) {
     if (const auto* fixed = std::get_if<FixedSteps>(&control))
       fixed_ = *fixed;
     else
@@ -56,7 +47,7 @@ class EventRun {
   }
 
   RunReport run() {
-    while (phase_ < pieces_.switch_times.size() && pieces_.switch_times[phase_] <= t_) ++phase_;
+    pass_switches();
     look_around();
     while (t_ < end_) {
       double stop = end_;
@@ -65,9 +56,7 @@ class EventRun {
       if (!advance(stop)) return report_;
       if (!hit_) {
         t_ = stop;
-        while (locating_ && phase_ < pieces_.switch_times.size() &&
-               representable<T>(pieces_.switch_times[phase_]) <= t_)
-          ++phase_;
+        if (locating_) pass_switches();
         if (t_ < end_) look_around();
         continue;
       }
@@ -75,15 +64,17 @@ class EventRun {
       if (!happen()) return report_;
       if (!locating_ && fixed_.count == 0) break;
     }
-    report_.status = RunStatus::reached_end;
-    report_.t_reached = t_;
+    end(RunStatus::reached_end);
     return report_;
   }
 
  private:
+  void pass_switches() {
+    const auto& times = pieces_.switch_times;
+    while (phase_ < times.size() && representable<T>(times[phase_]) <= t_) ++phase_;
+  }
   const ErasedSystem<T>& bare_system() const { return reads_clock() ? bare_ : pieces_.phases[phase_]; }
   const ErasedSystem<T>& system() const { return reads_clock() ? whole_ : counted_[phase_]; }
-  /// Fixed steps walk over the switches of a system that reads the clock.
   bool reads_clock() const { return !locating_ && !pieces_.switch_times.empty(); }
   void values(double t, const T* y, std::vector<T>& g) const {
     if (pieces_.events > 0) pieces_.values_call(pieces_.values[phase_], T(t), y, g.data());
@@ -185,7 +176,7 @@ class EventRun {
       if (!below || !side_run(t)) continue;
       for (std::size_t k = 0; k < armed_.size(); ++k)
         if (armed_[k] && g_trial_[k] <= 0) {
-          right_ = trial_, g_ = g_trial_, t_right_ = t;
+          take_right(t);
           return true;
         }
     }
@@ -237,15 +228,11 @@ class EventRun {
     }
   }
   void take_right(double t) { t_right_ = t, right_ = trial_, g_ = g_trial_; }
-
   /// The event at the right end of the step happens. False where the run ends there for good.
   bool happen() {
     keep_samples(t_right_);
     t_ = t_right_, y_ = right_;
-    if (trace_.on_step && !trace_.on_step(T(t_), y_.data())) {
-      report_.status = RunStatus::time_limit, report_.t_reached = t_;
-      return false;
-    }
+    if (trace_.on_step && !trace_.on_step(T(t_), y_.data())) return end(RunStatus::time_limit);
     for (std::size_t k = 0; k < armed_.size(); ++k) {
       if (!armed_[k] || !(g_[k] <= 0)) continue;
       found_.push_back({k, t_});
@@ -261,9 +248,10 @@ class EventRun {
       if (std::abs(piece_grid_[i] - t_) <= close_at<T>(t_))
         std::copy(y_.begin(), y_.end(), trace_.samples.begin() + std::ptrdiff_t((sampled_ + i) * y_.size()));
     begin_piece();
-    if (found_.size() < most_events) return true;
-    report_.status = RunStatus::step_limit, report_.t_reached = t_;
-    report_.reason = "more events than can be meant";
+    return found_.size() < most_events || end(RunStatus::step_limit, "more events than can be meant");
+  }
+  bool end(RunStatus status, std::string_view reason = "") {
+    report_.status = status, report_.reason = reason, report_.t_reached = t_;
     return false;
   }
 
@@ -281,8 +269,9 @@ class EventRun {
   bool locating_ = false, hit_ = false;
   std::size_t phase_ = 0, sampled_ = 0;
   double t_left_ = 0, t_right_ = 0;  // of the last step
-  std::vector<T> left_, trial_, right_, slope_left_, slope_right_, g_, g_left_, g_trial_;
-  std::vector<bool> armed_;
+  std::vector<T> left_ = y_, trial_ = y_, right_ = y_, slope_left_ = y_, slope_right_ = y_;
+  std::vector<T> g_ = std::vector<T>(pieces_.events), g_left_ = g_, g_trial_ = g_;
+  std::vector<bool> armed_ = std::vector<bool>(pieces_.events, false);
   std::vector<T> piece_samples_;
   std::vector<double> piece_grid_;
   RunReport report_;
