@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bench/expected_order.hpp"
 #include "bench/measure.hpp"
 #include "bench/solve.hpp"
 #include "bench/static_run.hpp"
@@ -80,8 +81,9 @@ RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const Ru
   const int batch = std::clamp(static_cast<int>(20e-6 / std::max(probe, 1e-9)), 1, 1000);
   // a long run is its own average: the one that checked the bits is the measurement
   std::vector<double> seconds;
-  if (probe > 0.05) seconds.push_back(probe);
-  double spent = probe > 0.05 ? request.timing_seconds : 0;
+  const bool long_enough = probe > request.timed_once_from;
+  if (long_enough) seconds.push_back(probe);
+  double spent = long_enough ? request.timing_seconds : 0;
   while (seconds.empty() || spent < request.timing_seconds ||
          (static_cast<int>(seconds.size()) < request.timing_repeats && spent < 4 * request.timing_seconds)) {
     seconds.push_back(seconds_of(batch));
@@ -256,10 +258,8 @@ void add_timing(Row& row, const AnyMethod& method, const AnyProblem& problem, co
   }
 }
 
-Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request, std::string_view plan,
-        const std::atomic<bool>* stop) {
-  if (request.steps.has_value() == request.rtol.has_value())
-    throw std::logic_error("a request has either a number of steps or a tolerance");
+Row describe(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request,
+             std::string_view plan) {
   Row row;
   row.id = row_id(method, problem, request, plan);
   row.plan = std::string(plan);
@@ -267,6 +267,8 @@ Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& re
   row.method = std::string(method.id), row.kind = std::string(method.kind),
   row.provider = std::string(method.provider);
   row.order = method.order, row.embedded_order = method.embedded_order;
+  if (const auto expected = expected_order(method, problem); request.steps && !expected.reason.empty())
+    row.expected_order = expected.order, row.expected_because = std::string(expected.reason);
   row.scalar = std::string(to_string(request.scalar));
   row.compensated = request.compensated;
   row.steps = request.steps;
@@ -277,6 +279,14 @@ Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& re
     row.filter =
         method.provider == "odemark" && !method.own_step_control ? std::string(request.filter.id) : "its own";
   }
+  return row;
+}
+
+Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request, std::string_view plan,
+        const std::atomic<bool>* stop) {
+  if (request.steps.has_value() == request.rtol.has_value())
+    throw std::logic_error("a request has either a number of steps or a tolerance");
+  Row row = describe(method, problem, request, plan);
   switch (request.scalar) {
     case ScalarType::float_type: run_as<float>(row, method, problem, request, stop); break;
     case ScalarType::double_type: run_as<double>(row, method, problem, request, stop); break;
