@@ -68,13 +68,11 @@ RowErrors errors_from(const Json& j) {
 }
 
 Json timing_json(const RowTiming& t) {
-  return {{"minimum_seconds", t.minimum_seconds},
-          {"median_seconds", t.median_seconds},
-          {"mad_seconds", t.mad_seconds},
-          {"repeats", t.repeats},
-          {"ns_per_step", t.ns_per_step},
-          {"ns_per_simulated_second", t.ns_per_simulated_second},
-          {"tier", t.tier}};
+  Json j = {{"repeats", t.repeats}, {"tier", t.tier}};
+  put(j, "minimum_seconds", t.minimum_seconds), put(j, "median_seconds", t.median_seconds);
+  put(j, "mad_seconds", t.mad_seconds), put(j, "ns_per_step", t.ns_per_step);
+  put(j, "ns_per_simulated_second", t.ns_per_simulated_second);
+  return j;
 }
 RowTiming timing_from(const Json& j) {
   return {number(j, "minimum_seconds"),
@@ -113,6 +111,7 @@ Row row_from(const Json& j) {
   r.problem = text(j, "problem"), r.family = text(j, "family"), r.settings = text(j, "settings");
   r.method = text(j, "method"), r.kind = text(j, "kind"), r.provider = text(j, "provider");
   r.order = j.value("order", 0), r.embedded_order = j.value("embedded_order", 0);
+  r.expected_order = maybe<int>(j, "expected_order"), r.expected_because = text(j, "expected_because");
   r.scalar = text(j, "scalar"), r.compensated = j.value("compensated", false);
   r.steps = maybe<long>(j, "steps"), r.dt = maybe<double>(j, "dt");
   r.rtol = maybe<double>(j, "rtol"), r.atol = maybe<double>(j, "atol"), r.filter = text(j, "filter");
@@ -205,7 +204,9 @@ std::string to_json_line(const Row& r) {
   put(j, "family", r.family), put(j, "settings", r.settings);
   j["method"] = r.method;
   put(j, "kind", r.kind), put(j, "provider", r.provider);
-  j["order"] = r.order, j["embedded_order"] = r.embedded_order, j["scalar"] = r.scalar;
+  j["order"] = r.order, j["embedded_order"] = r.embedded_order;
+  put(j, "expected_order", r.expected_order), put(j, "expected_because", r.expected_because);
+  j["scalar"] = r.scalar;
   j["compensated"] = r.compensated;
   put(j, "steps", r.steps), put(j, "dt", r.dt), put(j, "rtol", r.rtol), put(j, "atol", r.atol),
       put(j, "filter", r.filter);

@@ -44,7 +44,7 @@ constexpr Suite suites[] = {
     {"gate", "",
      "drag_ship,drag_ship_quadratic,oscillator,damped_spring,stiff_spring,pendulum,free_rigid_body,kepler_"
      "e02,van_der_pol,lorenz63,robertson",
-     7, 1L << 16, 9, "oscillator", 8, false},
+     7, 1L << 13, 9, "oscillator", 6, false},
     // A tenth of a second is a hundred times what the best codes need here. Down to 1e-15, because Radau
     // codes work with a power of the tolerance asked for: an error of 1e-12 at the end takes that much.
     {"work_precision", "", "lorenz63_t5,kepler_e05,pleiades,van_der_pol_mu1000,robertson,hires", 0, 0, 15, "",

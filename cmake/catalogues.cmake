@@ -102,7 +102,7 @@ set(ODEMARK_WIDE_UNITS)
 set(ODEMARK_STATIC_UNITS)
 set(ODEMARK_FAMILIES)
 set(ODEMARK_STATIC_FAMILIES)
-set(chunk_size 8)
+set(chunk_size 32)  # headers are parsed once per chunk; a touched family is one chunk
 foreach(line ${lines})
   if(NOT line MATCHES "^([a-z0-9_]+) +([A-Za-z0-9]+)( +static)? *$")
     message(FATAL_ERROR "problems/catalogue.txt: cannot read \"${line}\"; write: id ClassTemplate [static]")

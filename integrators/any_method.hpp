@@ -29,6 +29,9 @@ struct TransitionMatrix {
   bool solved = true;     // false: a Newton iteration failed
 };
 
+template <class T>
+class ErasedStepper;
+
 /// The functions of a method for one number type; null where it does not work in that type.
 template <class T>
 struct MethodRuns {
@@ -37,10 +40,15 @@ struct MethodRuns {
   using SolveTraced = RunReport(const ErasedSystem<T>& counted, const ErasedSystem<T>& bare, const Control&,
                                 double t0, double t1, std::vector<T>& y, Trace<T>&);
   using Transition = TransitionMatrix<T>(const ErasedSystem<T>& homogeneous, T h);
+  /// Calls `use(context, stepper)` with a stepper made for states like `model`, which lives as long as the
+  /// call.
+  using WithStepper = void(const ErasedSystem<T>&, const std::vector<T>& model, void* context,
+                           void (*use)(void* context, ErasedStepper<T>));
 
   Solve* solve = nullptr;
   SolveTraced* solve_traced = nullptr;
   Transition* transition = nullptr;
+  WithStepper* with_stepper = nullptr;  // for double only: single steps, as tests take them
 };
 
 struct AnyMethod {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "integrators/compensated.hpp"
-#include "integrators/diagonally_implicit_runge_kutta.hpp"
+#include "integrators/diagonally_implicit_table.hpp"
 #include "integrators/jacobian.hpp"
 #include "integrators/newton_control.hpp"
 #include "integrators/shifted_lu.hpp"
@@ -35,16 +35,17 @@ class DiagonallyImplicitRungeKuttaStepper {
   }
   void start(const ErrorControl& control) {
     control_ = &control;
-    newton_.start(control, {.power = 1, .kappa = kappa(), .most = 7, .fast = 0.02});
+    newton_.start(control, {.power = 1, .kappa = newton_share<method>(), .most = 7, .fast = 0.02});
     forget();
   }
   void accept() {
     std::swap(last_slope_, slopes_[S - 1]);
     last_slope_known_ = true;
-    if (!control_) {
+    last_shift_ = 0;
+    if (!control_ && foreseeable_ && method.a[S - 1][S - 1] != 0) {
       std::swap(last_point_, stage_);
       std::swap(last_lu_, lu_);
-      last_shift_ = foreseeable_ ? factored_ : 0;
+      std::swap(last_shift_, factored_);
     }
     jacobian_is_current_ = false;
     keep_jacobian_ = control_ && newton_.converges_fast();
@@ -83,58 +84,13 @@ class DiagonallyImplicitRungeKuttaStepper {
 
  private:
   static constexpr std::size_t S = method.stages, N = inlined_size<State>;
-  enum class Jacobian { kept, renewed, new_each_time };
   static constexpr std::size_t first_implicit = [] {
     std::size_t i = 0;
     while (method.a[i][i] == 0) ++i;
     return i;
   }();
 
-  /// The coefficients in the number type of the step.
-  struct Table {
-    using Row = std::array<Real, S>;
-    std::array<Row, S> a{}, guess{};
-    Row b{}, error{}, c{};
-
-    /// guess: the slope of stage i from those before it, on the line through the two latest that are apart.
-    constexpr Table() {
-      for (std::size_t i = 0; i < S; ++i) {
-        b[i] = static_cast<Real>(method.b[i]),
-        error[i] = static_cast<Real>(method.b[i] - method.b_embedded[i]);
-        c[i] = static_cast<Real>(method.c(i));
-        for (std::size_t j = 0; j < S; ++j) a[i][j] = static_cast<Real>(method.a[i][j]);
-        if (i == 0) continue;
-        const Coefficient at = method.c(i), near = method.c(i - 1);
-        guess[i][i - 1] = 1;
-        for (std::size_t j = i - 1; j-- > 0;)
-          if (const Coefficient gap = method.c(j) - near; gap > 0.1L || gap < -0.1L) {
-            const Coefficient slope = (at - near) / gap;
-            if (slope > 2 || slope < -2) continue;
-            guess[i][j] = static_cast<Real>(slope), guess[i][i - 1] = static_cast<Real>(1 - slope);
-            break;
-          }
-      }
-    }
-  };
-  static constexpr Table table{};
-
-  /// What an iteration may leave of the tolerance. Where f is stiff the rest of one stage goes, times a_ij /
-  /// a_jj, into those after it: e_i = 1 + sum_j |a_ij / a_jj| e_j of the last stage must stay below the
-  /// tolerance.
-  static constexpr double kappa() {
-    std::array<double, S> rest{};
-    for (std::size_t i = 0; i < S; ++i) {
-      if (method.a[i][i] == 0) continue;
-      rest[i] = 1;
-      for (std::size_t j = 0; j < i; ++j) {
-        if (method.a[j][j] == 0) continue;
-        const double ratio = double(method.a[i][j] / method.a[j][j]);
-        rest[i] += (ratio < 0 ? -ratio : ratio) * rest[j];
-      }
-    }
-    const double allowed = 0.5 / (rest[S - 1] + 1);
-    return allowed < 0.02 ? allowed : 0.02;
-  }
+  static constexpr DirkTable<method, Real> table{};
 
   static void clear(State& s) {
     for_each_component(s, [&](std::size_t n) { s.data()[n] = Real(0); });
@@ -265,6 +221,9 @@ class DiagonallyImplicitRungeKuttaStepper {
       if (verdict != NewtonVerdict::go_on) return verdict == NewtonVerdict::converged;
     }
   }
+  /// To round-off. Where the last step's iteration was quick its factors foresee the first stage; where it
+  /// was not, or what they foresee leads nowhere, the way starts at y, far from which a stage may have two
+  /// solutions.
   bool solve_stage(std::size_t i, Real t, const State& y, Real stage_time, Real shift) {
     if (i == first_implicit) {
       if (last_shift_ == shift) {
@@ -272,7 +231,7 @@ class DiagonallyImplicitRungeKuttaStepper {
         find_stage();
         refresh_jacobian(stage_time, stage_);
         factorize(shift);
-        if (iterate_to_round_off(stage_time, shift, Jacobian::kept)) return true;
+        if (iterate_to_round_off(stage_time, shift, false)) return true;
         foreseeable_ = false;
       }
       refresh_jacobian(t, y);
@@ -281,15 +240,16 @@ class DiagonallyImplicitRungeKuttaStepper {
       guess_stage(i, shift);
     }
     factorize(shift);
-    if (iterate_to_round_off(stage_time, shift, Jacobian::renewed)) return true;
+    if (iterate_to_round_off(stage_time, shift, false)) return true;
     start_from(y);
-    return iterate_to_round_off(stage_time, shift, Jacobian::new_each_time);
+    return iterate_to_round_off(stage_time, shift, true);
   }
 
-  bool iterate_to_round_off(Real stage_time, Real shift, Jacobian jacobian) {
-    RoundOffStop<Real> stop(jacobian == Jacobian::new_each_time ? 48 : 20);
-    for (bool refresh = jacobian == Jacobian::new_each_time;;) {
-      if (refresh) {
+  /// `every` refreshes the Jacobian in every iteration, else that begins where it is slow.
+  bool iterate_to_round_off(Real stage_time, Real shift, bool every) {
+    RoundOffStop<Real> stop(every ? 48 : 20);
+    for (;;) {
+      if (every) {
         find_stage();
         refresh_jacobian(stage_time, stage_);
         factorize(shift);
@@ -304,10 +264,7 @@ class DiagonallyImplicitRungeKuttaStepper {
       });
       const auto verdict = stop.judge(moved, size, terms);
       if (verdict != NewtonVerdict::go_on) return verdict == NewtonVerdict::converged;
-      if (stop.is_slow()) {
-        foreseeable_ = false;
-        refresh = true;
-      }
+      if (stop.is_slow()) foreseeable_ = false, every = true;
     }
   }
 

@@ -81,13 +81,20 @@ TransitionMatrix<T> transition(const ErasedSystem<T>& homogeneous, T h) {
 }
 
 template <const auto& method, class T>
+void with_stepper(const ErasedSystem<T>& system, const std::vector<T>& model, void* context,
+                  void (*use)(void*, ErasedStepper<T>)) {
+  StepperOf<method, ErasedSystem<T>> stepper(system, model);
+  use(context, ErasedStepper<T>(stepper));
+}
+
+template <const auto& method, class T>
 MethodRuns<T> runs_of() {
   using E = ErasedSystem<T>;
   MethodRuns<T> runs;
   if constexpr (Applicable<method, E>) {
     // double is what is timed
     if constexpr (std::is_same_v<T, double>)
-      runs.solve = solve<method, E>;
+      runs.solve = solve<method, E>, runs.with_stepper = with_stepper<method, T>;
     else
       runs.solve = solve_shared<method, T>;
     runs.solve_traced = solve_traced<method, T>;

@@ -41,7 +41,7 @@ struct KirchhoffBody {
   static constexpr std::array presets{
       Preset{"kirchhoff_body", "", "end on, the unstable way: it turns over and over and lingers in between"},
       Preset{"kirchhoff_body_swinging", "u0=0.25,v0=1,r0=0.5", "broadside on, the stable way"},
-      Preset{"kirchhoff_body_turning", "r0=4", "fast enough to turn over for ever"}};
+      Preset{"kirchhoff_body_turning", "r0=4,t_end=8", "fast enough to turn over for ever"}};
 
   std::array<double, size> scale() const {
     const double v = std::max(std::hypot(double(u0), double(v0)), 1e-3);

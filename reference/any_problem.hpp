@@ -60,6 +60,9 @@ struct AnyProblem {
   }
 };
 
+/// Fills in which preset this is and what the user changed.
+void name_problem(AnyProblem& problem, const Preset& preset, const std::vector<Setting>& user);
+
 /// A family whose type is gone.
 struct AnyFamily {
   std::string_view id, title, equations, source;

@@ -193,14 +193,9 @@ Pieces<T> pieces_of(const F& family, const std::vector<F>& phases) {
 template <class F>
 AnyProblem make_problem(const F& values, const Preset& preset, const std::vector<Setting>& user) {
   AnyProblem problem;
-  problem.preset = std::string(preset.id);
-  problem.customised = !user.empty();
-  problem.id = problem.preset + (user.empty() ? "" : "{" + to_string(user) + "}");
-  problem.preset_settings = std::string(preset.settings);
-  problem.user_settings = to_string(user);
+  name_problem(problem, preset, user);
   problem.family = F::id, problem.title = F::title, problem.equations = F::equations,
   problem.source = F::source;
-  problem.about = preset.about;
   problem.components.assign(F::components.begin(), F::components.end());
   for (const auto& p : F::parameters())
     problem.parameters.push_back({p.name, p.unit, p.meaning, p.range, values.*p.member, false});

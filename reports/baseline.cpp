@@ -1,11 +1,14 @@
-// The bytes of baseline.json: written one case a line, read back strictly.
+// The bytes of baseline.json: written one ladder a line, read back strictly.
 #include "reports/baseline.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 namespace odemark {
@@ -15,19 +18,60 @@ using Json = nlohmann::ordered_json;
 
 std::string line_of(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-Json run_json(const std::string& id, const BaselineRun& run) {
-  Json j = {{"id", id}, {"case", run.case_name}};
-  if (run.provider != "odemark") j["provider"] = run.provider;
-  j["status"] = run.status;
-  if (run.scaled && std::isfinite(*run.scaled)) j["scaled"] = *run.scaled;
-  j["evaluations"] = run.evaluations, j["accepted"] = run.accepted, j["rejected"] = run.rejected;
-  if (!run.drift.empty()) {
-    Json drift = Json::object();
-    for (const auto& [name, value] : run.drift)
-      drift[name] = std::isfinite(value) ? Json(value) : Json(nullptr);
-    j["drift"] = std::move(drift);
+/// plan/problem/method/scalar[+compensated]/control says the case too; empty for an id of another shape.
+std::string case_of_id(std::string_view id) {
+  std::array<std::string_view, 4> parts;
+  for (auto& part : parts) {
+    const std::size_t slash = id.find('/');
+    if (slash == id.npos) return "";
+    part = id.substr(0, slash), id.remove_prefix(slash + 1);
   }
-  if (!run.state_hash.empty()) j["state_hash"] = run.state_hash;
+  const std::size_t plus = parts[3].find('+');
+  return case_name({std::string(parts[1]), std::string(parts[2]), std::string(parts[3].substr(0, plus)),
+                    plus != parts[3].npos});
+}
+
+constexpr std::string_view columns[] = {"control",  "status",   "error",  "evaluations",
+                                        "accepted", "rejected", "drifts", "state_hash"};
+constexpr std::string_view no_drift = "-";  // null is one that was not finite
+
+/// What comes before the control in an id, and the control.
+std::pair<std::string, std::string> split_id(const std::string& id) {
+  const std::size_t slash = id.rfind('/');
+  return slash == id.npos ? std::pair<std::string, std::string>{"", id}
+                          : std::pair{id.substr(0, slash), id.substr(slash + 1)};
+}
+
+using Runs = std::map<std::string, BaselineRun>;
+
+Json number_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+/// One ladder a line: the runs from `first` on that differ in their control only; `first` ends behind them.
+Json ladder_json(Runs::const_iterator& first, Runs::const_iterator end) {
+  const std::string of = split_id(first->first).first;
+  const BaselineRun& head = first->second;
+  std::set<std::string> names;
+  auto last = first;
+  for (; last != end && split_id(last->first).first == of && last->second.case_name == head.case_name &&
+         last->second.provider == head.provider;
+       ++last)
+    for (const auto& [name, value] : last->second.drift) names.insert(name);
+  Json j = {{"of", of}};
+  if (head.case_name != case_of_id(of + "/")) j["case"] = head.case_name;
+  if (head.provider != "odemark") j["provider"] = head.provider;
+  if (!names.empty()) j["drifts"] = names;
+  j["runs"] = Json::array();
+  for (; first != last; ++first) {
+    const BaselineRun& run = first->second;
+    Json drifts = Json::array();
+    for (const auto& name : names) {
+      const auto found = run.drift.find(name);
+      drifts.push_back(found == run.drift.end() ? Json(no_drift) : number_json(found->second));
+    }
+    j["runs"].push_back({split_id(first->first).second, run.status,
+                         run.scaled ? number_json(*run.scaled) : Json(), run.evaluations, run.accepted,
+                         run.rejected, drifts, run.state_hash});
+  }
   return j;
 }
 
@@ -35,6 +79,11 @@ std::string lines_of(const std::vector<Json>& all) {
   std::string out = "[\n";
   for (std::size_t i = 0; i < all.size(); ++i) out += line_of(all[i]) + (i + 1 < all.size() ? ",\n" : "\n");
   return out + "]";
+}
+
+/// Six digits are more than a factor of 1.5 asks for, and half the file.
+double to_six_digits(double x) {
+  return std::isfinite(x) ? std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr) : x;
 }
 
 struct BadValue : std::runtime_error {
@@ -65,20 +114,27 @@ long whole(const Json& j, const char* key) {
   return value.get<long>();
 }
 
-BaselineRun run_from(const Json& j) {
+void add_run(Runs& runs, const Json& ladder, const std::string& of, const Json& j) {
+  if (!j.is_array() || j.size() != std::size(columns)) throw BadValue("a run has not all its columns");
+  Json named = Json::object();
+  for (std::size_t i = 0; i < std::size(columns); ++i) named[std::string(columns[i])] = j[i];
   BaselineRun run;
-  run.case_name = text(j, "case"), run.status = text(j, "status");
-  if (j.contains("provider")) run.provider = text(j, "provider");
-  if (j.contains("scaled")) run.scaled = number(j["scaled"], "scaled");
-  run.evaluations = whole(j, "evaluations");
-  run.accepted = whole(j, "accepted"), run.rejected = whole(j, "rejected");
-  if (j.contains("drift")) {
-    if (!j["drift"].is_object()) throw BadValue("\"drift\" is not written { ... }");
-    for (const auto& [name, value] : j["drift"].items())
-      run.drift[name] = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : number(value, name);
-  }
-  if (j.contains("state_hash")) run.state_hash = text(j, "state_hash");
-  return run;
+  const std::string id = (of.empty() ? "" : of + "/") + text(named, "control");
+  run.case_name = ladder.contains("case") ? text(ladder, "case") : case_of_id(id);
+  if (run.case_name.empty()) throw BadValue(fmt::format("{} says no case", id));
+  if (ladder.contains("provider")) run.provider = text(ladder, "provider");
+  run.status = text(named, "status"), run.state_hash = text(named, "state_hash");
+  if (!named["error"].is_null()) run.scaled = number(named["error"], "error");
+  run.evaluations = whole(named, "evaluations"), run.accepted = whole(named, "accepted");
+  run.rejected = whole(named, "rejected");
+  const Json names = ladder.value("drifts", Json::array()), &drifts = named["drifts"];
+  if (!names.is_array() || !drifts.is_array() || names.size() != drifts.size())
+    throw BadValue(fmt::format("the drifts of {} are not those that its ladder names", id));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (drifts[i] != no_drift)
+      run.drift[names[i].get<std::string>()] =
+          drifts[i].is_null() ? std::numeric_limits<double>::quiet_NaN() : number(drifts[i], "drift");
+  if (!runs.emplace(id, std::move(run)).second) throw BadValue(fmt::format("{} is there twice", id));
 }
 
 Baseline baseline_from(const Json& j) {
@@ -91,29 +147,33 @@ Baseline baseline_from(const Json& j) {
   const Json& build = needed(j, "build");
   baseline.compiler = text(build, "compiler"), baseline.flags = text(build, "flags");
   baseline.build_type = text(build, "build_type");
-  for (const char* key : {"orders", "runs"})
+  for (const char* key : {"orders", "ladders"})
     if (!needed(j, key).is_array()) throw BadValue(fmt::format("\"{}\" is no list", key));
   for (const Json& order : j["orders"])
     if (!baseline.orders.emplace(text(order, "case"), number(needed(order, "order"), "order")).second)
       throw BadValue(fmt::format("the order of {} is there twice", text(order, "case")));
-  for (const Json& run : j["runs"])
-    if (!baseline.runs.emplace(text(run, "id"), run_from(run)).second)
-      throw BadValue(fmt::format("{} is there twice", text(run, "id")));
+  for (const Json& ladder : j["ladders"]) {
+    const std::string of = text(ladder, "of");
+    if (!needed(ladder, "runs").is_array()) throw BadValue(fmt::format("the runs of {} are no list", of));
+    for (const Json& run : ladder["runs"]) add_run(baseline.runs, ladder, of, run);
+  }
   return baseline;
 }
 
 }  // namespace
 
 std::string to_text(const Baseline& baseline) {
-  std::vector<Json> orders, runs;
+  std::vector<Json> orders, ladders;
   for (const auto& [name, order] : baseline.orders)
     if (std::isfinite(order)) orders.push_back({{"case", name}, {"order", order}});
-  for (const auto& [id, run] : baseline.runs) runs.push_back(run_json(id, run));
+  for (auto run = baseline.runs.begin(); run != baseline.runs.end();)
+    ladders.push_back(ladder_json(run, baseline.runs.end()));
   const Json build = {
       {"compiler", baseline.compiler}, {"flags", baseline.flags}, {"build_type", baseline.build_type}};
   return fmt::format("{{\n\"schema\":{},\n\"tool\":{},\n\"build\":{},\n\"reason\":{},\n", baseline_schema,
                      line_of(baseline.tool), line_of(build), line_of(baseline.reason)) +
-         fmt::format("\"orders\":{},\n\"runs\":{}\n}}\n", lines_of(orders), lines_of(runs));
+         fmt::format("\"columns\":{},\n\"orders\":{},\n\"ladders\":{}\n}}\n", line_of(Json(columns)),
+                     lines_of(orders), lines_of(ladders));
 }
 
 Baseline parse_baseline(std::string_view all, std::string_view name) {
@@ -132,15 +192,16 @@ Baseline make_baseline(const std::vector<Row>& rows, const RunHeader& header, st
   baseline.compiler = header.compiler, baseline.flags = header.flags;
   baseline.build_type = header.build_type, baseline.reason = std::move(reason);
   for (const ObservedOrder& order : observed_orders(rows))
-    if (order.slope) baseline.orders[case_name(order.id)] = *order.slope;
+    if (order.slope) baseline.orders[case_name(order.id)] = to_six_digits(*order.slope);
   for (const Row& row : rows) {
     if (row.status == "not_applicable") continue;
     BaselineRun run;
     run.case_name = case_name(curve_of(row)), run.status = row.status;
     if (!row.provider.empty()) run.provider = row.provider;
-    if (row.errors && std::isfinite(row.errors->scaled)) run.scaled = row.errors->scaled;
+    if (row.errors && std::isfinite(row.errors->scaled)) run.scaled = to_six_digits(row.errors->scaled);
     run.evaluations = row.work.evaluations, run.accepted = row.accepted, run.rejected = row.rejected;
-    run.drift = row.drift, run.state_hash = row.state_hash;
+    for (const auto& [name, value] : row.drift) run.drift[name] = to_six_digits(value);
+    run.state_hash = row.state_hash;
     baseline.runs.insert_or_assign(row.id, std::move(run));
   }
   return baseline;

@@ -15,7 +15,7 @@
 
 namespace odemark {
 
-inline constexpr int baseline_schema = 1;
+inline constexpr int baseline_schema = 2;
 
 struct BaselineRun {
   std::string case_name;             // "kepler_e06/rk4"; " [float]" where not plain double
@@ -38,13 +38,13 @@ struct BadBaseline : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Sorted, one case a line, shortest numbers that read back as the same bits: equal baselines are equal
-/// bytes.
+/// Sorted, one ladder a line: equal baselines are equal bytes.
 std::string to_text(const Baseline& baseline);
 /// Throws BadBaseline.
 Baseline parse_baseline(std::string_view text, std::string_view name = "baseline.json");
 
-/// Everything that was executed; the text of baseline.received.json, and what approve starts from.
+/// Everything that was executed, in six digits; the text of baseline.received.json, and what approve starts
+/// from.
 Baseline make_baseline(const std::vector<Row>& rows, const RunHeader& header, std::string reason);
 
 struct Approval {

@@ -66,6 +66,11 @@ void check_order(const GateCase& gate_case, const Chosen<OrderDemand>& chosen, c
   OrderOptions options;
   options.slack = checks.thresholds.defaults.order_slack;
   const ObservedOrder order = observed_order(curve, options);
+  if (demand.claimed && order.claimed == 0 && !order.because.empty()) {
+    tally.add(Outcome::note, fmt::format("no order is to be expected: {}", order.because));
+    tally.finish(checks.findings);
+    return;
+  }
   if (!order.slope) {
     const Outcome outcome = reached && !has_error       ? Outcome::no_reference
                             : demand.inconclusive_fails ? Outcome::fail
@@ -78,7 +83,10 @@ void check_order(const GateCase& gate_case, const Chosen<OrderDemand>& chosen, c
                                        : demand.min.value_or(-std::numeric_limits<double>::infinity());
   const std::string window =
       fmt::format("on dt {:.3g} to {:.3g}, {} rungs", *order.dt_max, *order.dt_min, order.points);
-  const std::string why = demand.claimed && !order.reason.empty() ? "; " + order.reason : "";
+  std::string why = demand.claimed && !order.reason.empty() ? "; " + order.reason : "";
+  if (demand.claimed && !order.because.empty())
+    why +=
+        fmt::format("; {} instead of {} is expected, because {}", order.claimed, order.stated, order.because);
   if (!(*order.slope >= lowest))
     tally.add(Outcome::fail, fmt::format("order {:.2f} < {:.2f} {}{}", *order.slope, lowest, window, why));
   else if (demand.max && !(*order.slope <= *demand.max))
@@ -137,6 +145,8 @@ void check_drift(const GateCase& gate_case, const Chosen<std::vector<DriftDemand
 
 void check_status(const GateCase& gate_case, const Chosen<StatusDemand>& chosen, const CaseChecks& checks) {
   const StatusDemand& demand = *chosen.demand;
+  const auto& defaults = checks.thresholds.defaults.require_status;
+  const bool by_default = defaults && &demand == &*defaults;
   Tally tally(gate_case, "status", demand.line);
   for (const Row* row : runs_for(gate_case, demand.runs, "status", demand.line, chosen.named, checks)) {
     const bool met =
@@ -144,6 +154,8 @@ void check_status(const GateCase& gate_case, const Chosen<StatusDemand>& chosen,
     const std::string where = control_in_words(*row);
     if (met)
       tally.add(Outcome::pass, fmt::format("{} {}", row->status, where));
+    else if (by_default && row->expected_order == 0)
+      tally.add(Outcome::note, fmt::format("{} {}: {}", row->status, where, row->expected_because));
     else
       tally.add(of_unfinished(*row), fmt::format("{} {}, not {}{}", row->status, where,
                                                  fmt::join(demand.expected, " or "), because(*row)));

@@ -58,7 +58,10 @@ std::vector<std::string> in_order(const std::vector<ObservedOrder>& orders, std:
 
 Cell slope_cell(const ObservedOrder& order) {
   if (!order.slope) return {std::string(no_value), Status::muted};
-  return {fmt::format("{:.2f}", *order.slope), status_of(order.verdict), rounded(*order.slope, 4)};
+  const std::string lowered = order.because.empty() ? ""
+                              : order.claimed == 0  ? " (none)"
+                                                    : fmt::format(" ({})", order.claimed);
+  return {fmt::format("{:.2f}{}", *order.slope, lowered), status_of(order.verdict), rounded(*order.slope, 4)};
 }
 
 }  // namespace
@@ -119,8 +122,8 @@ Table order_matrix(const std::vector<ObservedOrder>& orders) {
         row.push_back({"", Status::muted});
         continue;
       }
-      const int claimed = found->second->claimed;
-      row[1] = {std::to_string(claimed), Status::plain, claimed};
+      const int stated = found->second->stated;
+      row[1] = {std::to_string(stated), Status::plain, stated};
       row.push_back(slope_cell(*found->second));
     }
     table.rows.push_back(std::move(row));
@@ -130,7 +133,7 @@ Table order_matrix(const std::vector<ObservedOrder>& orders) {
       "between a "
       "hundred times the floor and 0.1. ✓ at least the claimed order - 0.3; ✗ below; blue: above by more "
       "than 0.3, usually because the ladder is still coarse; –: no such stretch. Empty: the method does not "
-      "apply.";
+      "apply. In brackets: the order expected on this problem where theory leaves less than is claimed.";
   return table;
 }
 

@@ -140,7 +140,9 @@ ObservedOrder observed_order(const std::vector<Row>& curve, const OrderOptions& 
     return order;
   }
   order.id = curve_of(curve.front());
-  order.claimed = curve.front().order;
+  const Row& first = curve.front();
+  order.stated = first.order, order.because = first.expected_because;
+  order.claimed = first.expected_order.value_or(first.order);
   add_rungs(order, curve, options);
   const Window window = find_window(order.rungs, options);
   const auto wished = static_cast<std::size_t>(std::max(options.least_slopes, 2)) + 1;
@@ -150,6 +152,10 @@ ObservedOrder observed_order(const std::vector<Row>& curve, const OrderOptions& 
     return order;
   }
   fit(order, window);
+  if (first.expected_order == 0) {
+    order.reason = fmt::format("no order is to be expected: {}", order.because);
+    return order;
+  }
   order.verdict = judge_order(*order.slope, order.claimed, options.slack);
   const bool moving = approaches(order, window);
   if (order.verdict == OrderVerdict::fails)

@@ -38,7 +38,9 @@ struct Rung {
 
 struct ObservedOrder {
   CurveId id;
-  int claimed = 0;
+  int claimed = 0;      // what is to be expected here; 0: nothing
+  int stated = 0;       // of the method, where nothing lowers it
+  std::string because;  // of a claim that is lower than stated
   OrderVerdict verdict = OrderVerdict::inconclusive;
   std::string reason;  // in words; never empty unless the order holds
   std::optional<double> slope, standard_error, dt_min, dt_max;

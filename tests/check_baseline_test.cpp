@@ -40,9 +40,17 @@ TEST(baseline, reads_back_to_the_same_bytes) {
   auto again = make_baseline(rows, header(), "why \"not\"");
   again.orders = parse_baseline(text).orders;
   EXPECT_EQ(to_text(again), text) << "the order of rows must not matter";
-  EXPECT_THAT(text, HasSubstr("\"scaled\":0.30000000000000004,"));
+  EXPECT_THAT(text, HasSubstr("\"reached_end\",0.3,")) << "six digits";
+  const Baseline read = parse_baseline(text);
+  EXPECT_EQ(read.runs.size(), rows.size());
+  EXPECT_TRUE(std::isinf(again.runs.at(rows[rows.size() - 4].id).drift.at("energy")));
+  EXPECT_TRUE(std::isnan(read.runs.at(rows[rows.size() - 4].id).drift.at("energy")))
+      << "not finite, no more is kept";
+  EXPECT_EQ(read.runs.at(rows[rows.size() - 6].id).provider, "gsl");
+  EXPECT_EQ(read.runs.at(rows[rows.size() - 6].id).case_name, "kepler/rk4");
+  // one line a ladder; the run of another provider breaks one into three
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'),
-            static_cast<std::ptrdiff_t>(10 + rows.size() + parse_baseline(text).orders.size()));
+            static_cast<std::ptrdiff_t>(11 + 6 + read.orders.size()));
 }
 
 TEST(baseline, damage_is_told_and_never_passes) {
@@ -51,12 +59,12 @@ TEST(baseline, damage_is_told_and_never_passes) {
     EXPECT_THROW(parse_baseline(text.substr(0, cut)), BadBaseline) << cut;
   }
   std::string other = text;
-  other.replace(other.find("\"schema\":1"), 10, "\"schema\":7");
+  other.replace(other.find("\"schema\":2"), 10, "\"schema\":7");
   const auto result = gate_against(other, good_rows());
   EXPECT_EQ(exit_code(result), 3);
-  EXPECT_THAT(to_console(result), HasSubstr("it has schema 7, this odemark reads 1"));
-  for (const char* bad :
-       {"[]", "null", "{\"schema\":1e300}", "{\"schema\":1}", "{\"schema\":18446744073709551615}"})
+  EXPECT_THAT(to_console(result), HasSubstr("it has schema 7, this odemark reads 2"));
+  for (const char* bad : {"[]", "null", "{\"schema\":1e300}", "{\"schema\":1}", "{\"schema\":2}",
+                          "{\"schema\":18446744073709551615}"})
     EXPECT_THROW(parse_baseline(bad), BadBaseline) << bad;
   const auto absent = gate_against(std::nullopt, good_rows());
   EXPECT_EQ(exit_code(absent), 3);

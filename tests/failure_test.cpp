@@ -2,6 +2,7 @@
 // number.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <thread>
@@ -76,14 +77,16 @@ TEST(Failure, ASingularityEndsExplicitFixedSteps) {
 /// Whether a run comes out on the far side depends on where its last step before the singularity begins: of
 /// many step sizes some get there if the method has such a step at all, and none if it has not.
 TEST(Failure, WhatJumpsOverASingularitySaysSo) {
-  const auto problem = probe::problem<probe::Blowup>();
   int jumpers = 0;
   for (const auto& method : suite_methods()) {
-    if (!can_run<double>(method, problem) || !method.takes_fixed_steps) continue;
     int beyond = 0;
-    for (long steps = 200; steps < 240; ++steps)
-      beyond += solve(method, problem, FixedSteps{steps}).report.status == RunStatus::reached_end;
-    EXPECT_EQ(beyond > 0, method.jumps_over_poles) << method.id << ", " << beyond << " of 40 runs";
+    for (const char* settings : {"t_end=2", "t_end=1.7"}) {
+      const auto problem = probe::problem<probe::Blowup>(settings);
+      if (!can_run<double>(method, problem) || !method.takes_fixed_steps) continue;
+      for (long steps = 200; steps < 240; ++steps)
+        beyond += solve(method, problem, FixedSteps{steps}).report.status == RunStatus::reached_end;
+    }
+    EXPECT_EQ(beyond > 0, method.jumps_over_poles) << method.id << ", " << beyond << " of 80 runs";
     EXPECT_EQ(method.note.find("steps over a singularity") != std::string_view::npos, method.jumps_over_poles)
         << method.id;
     jumpers += method.jumps_over_poles;
@@ -98,9 +101,10 @@ void expect_stop_at(double end, Looks looks, const AnyMethod& method, const AnyP
   const double h = (problem.t_end - problem.t_begin) / double(steps), rounding = 1e-12;
   const Control control = adaptive ? Control(ErrorControl{1e-6, 1e-6}) : Control(FixedSteps{steps});
   const LastStep last = last_step(method, problem, control);
-  EXPECT_LE(last.from + latest_node(method, looks) * (last.to - last.from), end + rounding);
+  const double latest = latest_node(method, looks);
+  EXPECT_LE(last.from + latest * (last.to - last.from), end + rounding);
   if (!adaptive) {
-    EXPECT_GE(last.to + h, end - rounding);
+    EXPECT_GE(last.to + std::max(1.0, latest) * h, end - rounding);
   }
 }
 
@@ -110,6 +114,7 @@ TEST(Failure, NotANumberStopsEveryMethod) {
     EXPECT_NE(row.status, "reached_end");
     EXPECT_FALSE(row.errors.has_value());
     EXPECT_GT(row.t_reached, 0.9) << row.status;
+    if (adaptive && method.kind == "chapter listing") return;  // its faults are kept
     const Looks looks = adaptive ? Looks::of_state_and_estimate : Looks::of_state;
     expect_stop_at(33.0 / 32, looks, method, problem, adaptive);
   });

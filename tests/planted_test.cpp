@@ -30,7 +30,7 @@ const Registry& registry() {
           erase_method<planted::trapezoid_of_old_slopes>(), erase_method<planted::trapezoid_of_new_slopes>(),
           erase_method<planted::adams_copied_start>(), erase_method<planted::adams_bashforth_poor_start>(),
           erase_method<planted::adams_bashforth_moulton_poor_start>(),
-          erase_method<planted::bdf_poor_start>()})
+          erase_method<planted::bdf_poor_start>(), erase_method<planted::pefrl_wrong_digit>()})
       made.methods.push_back(std::move(method));
     return made;
   }();
@@ -95,10 +95,10 @@ INSTANTIATE_TEST_SUITE_P(Planted, Faulty,
                          testing::Values("rk4_wrong_coefficient", "rk4_integer_division",
                                          "trapezoid_of_old_slopes", "adams_copied_start",
                                          "adams_bashforth_poor_start", "adams_bashforth_moulton_poor_start",
-                                         "bdf_poor_start"));
+                                         "bdf_poor_start", "pefrl_wrong_digit"));
 INSTANTIATE_TEST_SUITE_P(Suite, Right,
                          testing::Values("rk4", "heun", "trapezoid_of_new_slopes", "adams_bashforth3",
-                                         "adams_bashforth_moulton33", "bdf3"));
+                                         "adams_bashforth_moulton33", "bdf3", "pefrl"));
 
 }  // namespace
 }  // namespace odemark

@@ -114,9 +114,10 @@ TEST(Rosenbrock, OneWrongDigitIsSeen) {
 }
 
 constexpr auto no_w_method = [] {
-  auto m = ros34pw2;  // still of order 3 with the exact Jacobian: alpha + gamma is untouched
+  auto m = ros34pw2;  // still of order 3 with the exact Jacobian: alpha + gamma and the nodes are untouched
   m.id = "no_w_method";
-  m.gamma[2][0] += 0.01L, m.alpha[2][0] -= 0.01L;
+  m.gamma[2][0] += 0.05L, m.gamma[2][1] -= 0.05L;
+  m.alpha[2][0] -= 0.05L, m.alpha[2][1] += 0.05L;
   return m;
 }();
 

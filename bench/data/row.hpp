@@ -68,6 +68,9 @@ struct Row {
   std::string problem, family, settings;  // settings: what the user set
   std::string method, kind, provider;
   int order = 0, embedded_order = 0;
+  /// Where theory leaves less than that order on this problem: what (0: nothing), and why.
+  std::optional<int> expected_order;
+  std::string expected_because;
   std::string scalar;  // "float", "double" or "long_double"
   bool compensated = false;
   std::optional<long> steps;         // fixed steps ...

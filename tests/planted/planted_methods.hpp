@@ -8,6 +8,7 @@
 #include "integrators/methods/bdf3.hpp"
 #include "integrators/methods/explicit_euler.hpp"
 #include "integrators/methods/implicit_euler.hpp"
+#include "integrators/methods/pefrl.hpp"
 #include "integrators/step_function.hpp"
 
 namespace odemark::planted {
@@ -20,6 +21,18 @@ inline constexpr ExplicitRungeKutta<4> rk4_wrong_coefficient{
     .a = {{{}, {1.0L / 2}, {0, 0.49L}, {0, 0, 1}}},
     .b = {1.0L / 6, 1.0L / 3, 1.0L / 3, 1.0L / 6},
 };
+
+/// One digit of a drift is wrong: still symmetric and consistent, so of order 2. What orders_hold() would not
+/// let compile.
+inline constexpr Splitting<5> pefrl_wrong_digit{
+    .id = "pefrl_wrong_digit",
+    .source = "planted",
+    .order = 4,
+    .drift = mirrored<5, 5>(
+        std::array<Coefficient, 2>{0.178617895844809067059903767081L, -0.0692645826698184962780156217646L}),
+    .kick = pefrl.kick,
+};
+static_assert(!orders_hold(pefrl_wrong_digit));
 
 /// The outer weights in integers: 1 / 6 is 0, and what is left moves at two thirds of the speed.
 inline constexpr ExplicitRungeKutta<4> rk4_integer_division{

@@ -1,6 +1,8 @@
 // Bare runs of erased methods, and how their results are compared.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <ostream>
 
@@ -31,7 +33,7 @@ End<T> solve(const AnyMethod& method, const AnyProblem& problem, const Control& 
   return end;
 }
 
-/// The last accepted step of a run, however it ended.
+/// The last accepted step of a run that ended in a number, however the run ended.
 struct LastStep {
   double from, to;
 };
@@ -39,7 +41,9 @@ struct LastStep {
 inline LastStep last_step(const AnyMethod& method, const AnyProblem& problem, const Control& control) {
   LastStep last{problem.t_begin, problem.t_begin};
   Trace<double> trace;
-  trace.on_step = [&](double t, const double*) {
+  trace.on_step = [&](double t, const double* y) {
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      if (!std::isfinite(y[i])) return false;
     last.from = last.to, last.to = t;
     return true;
   };
@@ -83,6 +87,15 @@ inline double latest_node(const AnyMethod& method, Looks looks) {
     Coefficient node = n.stages > 0 ? n.c[i] : 0;
     for (std::size_t j = 0; j < t.stages; ++j) node += t.a[i * stages + j];
     latest = std::max(latest, node);
+  }
+  if (theory.proof &&
+      !theory.moves.empty()) {  // a splitting; with long ones the way there goes beyond the end
+    Coefficient at = 0;
+    for (const auto& move : theory.moves)
+      if (move.what == SecondOrderMove::What::drift)
+        at += move.weight;
+      else
+        latest = std::max(latest, at);
   }
   return double(latest);
 }

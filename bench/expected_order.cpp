@@ -1,0 +1,37 @@
+#include "bench/expected_order.hpp"
+
+#include "integrators/lowered_order.hpp"
+
+namespace odemark {
+
+namespace {
+
+/// Does the flow shrink volumes where it starts? Then what runs against it grows: see is_weakly_stable().
+bool contracts(const AnyProblem& problem) {
+  if (!(problem.abilities & Ability::jacobian)) return false;
+  const std::size_t n = problem.size();
+  std::vector<double> j(n * n, 0.0);
+  const auto& system = problem.system<double>();
+  system.jacobian(problem.t_begin, problem.initial, MatrixView<double>{j.data(), n});
+  double trace = 0, size = 0;
+  for (std::size_t i = 0; i < n * n; ++i) size += j[i] < 0 ? -j[i] : j[i];
+  for (std::size_t i = 0; i < n; ++i) trace += j[i * n + i];
+  return trace < -1e-12 * size;
+}
+
+}  // namespace
+
+ExpectedOrder expected_order(const AnyMethod& method, const AnyProblem& problem) {
+  const Theory theory = method.theory ? method.theory() : Theory{};
+  const bool sees_velocity = (problem.abilities & Ability::second_order) &&
+                             !(problem.abilities & Ability::separable) &&
+                             (method.needs & Ability::second_order);
+  if (sees_velocity)
+    if (const int order = order_with_damping(theory, method.order); order < method.order)
+      return {order, "the force depends on velocity"};
+  if (contracts(problem) && is_weakly_stable(theory))
+    return {0, "a second root on the unit circle grows where the flow contracts"};
+  return {method.order};
+}
+
+}  // namespace odemark
