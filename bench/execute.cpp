@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
+#include <utility>
 
 namespace odemark {
 
@@ -33,6 +36,43 @@ void in_parallel(std::size_t count, int jobs, const std::function<void(std::size
   if (failure) std::rethrow_exception(failure);
 }
 
+/// What the runs so far say about those to come; see execute.hpp.
+class Comparison {
+ public:
+  bool hopeless(const PlannedRun& run) const {
+    return run.part_of_comparison && out_of_time_.contains({run.problem->id, run.method->id});
+  }
+  /// In place of a run that is not worth its time.
+  static Row not_tried(const PlannedRun& planned) {
+    Row row = describe(*planned.method, *planned.problem, planned.request, planned.plan);
+    row.status = to_string(RunStatus::time_limit);
+    row.reason = "not tried: ran out of time or steps at a looser tolerance";
+    return row;
+  }
+  void prepare(const PlannedRun& run, RunRequest& request) const {
+    if (!run.part_of_comparison) return;
+    if (const auto best = fastest_.find(cell(run)); best != fastest_.end())
+      request.timed_once_from = std::min(request.timed_once_from, 10 * best->second);
+  }
+  void learn(const PlannedRun& run, const Row& row) {
+    if (!run.part_of_comparison) return;
+    if (row.status == to_string(RunStatus::time_limit) || row.status == to_string(RunStatus::step_limit))
+      out_of_time_.emplace(run.problem->id, run.method->id);
+    if (row.timing) {
+      const double seconds = row.timing->minimum_seconds;
+      const auto [best, is_new] = fastest_.emplace(cell(run), seconds);
+      if (!is_new && seconds < best->second) best->second = seconds;
+    }
+  }
+
+ private:
+  using Cell = std::pair<std::string, double>;
+  static Cell cell(const PlannedRun& run) { return {run.problem->id, run.request.rtol.value_or(0)}; }
+
+  std::set<std::pair<std::string, std::string_view>> out_of_time_;
+  std::map<Cell, double> fastest_;  // by problem and tolerance
+};
+
 }  // namespace
 
 bool execute(const std::vector<PlannedRun>& plan, const ExecuteOptions& options) {
@@ -44,6 +84,7 @@ bool execute(const std::vector<PlannedRun>& plan, const ExecuteOptions& options)
   const std::size_t already = plan.size() - wanted.size();
   // a block is long enough to keep the threads busy and short enough to lose little when interrupted
   const std::size_t block_size = options.jobs > 1 ? 64 : 1;
+  Comparison comparison;
   for (std::size_t begin = 0; begin < wanted.size(); begin += block_size) {
     const std::size_t count = std::min(block_size, wanted.size() - begin);
     std::vector<std::optional<Row>> rows(count);
@@ -52,15 +93,24 @@ bool execute(const std::vector<PlannedRun>& plan, const ExecuteOptions& options)
       const PlannedRun& planned = *wanted[begin + i];
       RunRequest request = planned.request;
       if (options.jobs > 1) request.timing_repeats = 0;
+      if (comparison.hopeless(planned)) {
+        rows[i] = Comparison::not_tried(planned);
+        return;
+      }
+      comparison.prepare(planned, request);
       rows[i] = run(*planned.method, *planned.problem, request, planned.plan, options.stop);
     };
     in_parallel(count, options.jobs, error_part);
     for (std::size_t i = 0; i < count; ++i) {
       const PlannedRun& planned = *wanted[begin + i];
-      if (options.jobs > 1 && planned.request.timing_repeats > 0 && !stopped() && rows[i])
-        add_timing(*rows[i], *planned.method, *planned.problem, planned.request);
+      if (options.jobs > 1 && planned.request.timing_repeats > 0 && !stopped() && rows[i]) {
+        RunRequest request = planned.request;
+        comparison.prepare(planned, request);
+        add_timing(*rows[i], *planned.method, *planned.problem, request);
+      }
       // a run that was cut short by the stop is no result
       if (stopped() || !rows[i]) return false;
+      comparison.learn(planned, *rows[i]);
       if (options.progress) options.progress(already + begin + i + 1, plan.size(), rows[i]->id);
       if (options.sink) options.sink(*rows[i]);
     }

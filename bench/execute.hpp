@@ -17,6 +17,10 @@ struct ExecuteOptions {
   std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress;
 };
 
+/// A plan that compares codes would spend its time on those that are far behind. There a method that ran out
+/// of time or steps is not run at the finer tolerances of the same problem: those rows say so. And a run ten
+/// times as long as the fastest so far at its tolerance is timed once. Neither changes who is fastest.
+///
 /// True if everything ran, false if it was stopped; the row under way is then dropped, never half written.
 bool execute(const std::vector<PlannedRun>& plan, const ExecuteOptions& options);
 

@@ -90,6 +90,16 @@ Json local_json(const RowLocal& l) {
 RowLocal local_from(const Json& j) {
   return {j.value("judged", 0L), j.value("deceived", 0L), number(j, "worst")};
 }
+
+Json events_json(const RowEvents& e) {
+  Json j = {{"found", e.found}, {"expected", e.expected}};
+  put(j, "worst_time_error", e.worst_time_error);
+  return j;
+}
+RowEvents events_from(const Json& j) {
+  return {j.value("found", 0L), j.value("expected", 0L), maybe<double>(j, "worst_time_error")};
+}
+
 Json steps_json(const RowSteps& s) { return {{"time", s.time}, {"step", s.step}}; }
 RowSteps steps_from(const Json& j) {
   return {j.value("time", std::vector<double>{}), j.value("step", std::vector<double>{})};
@@ -115,6 +125,7 @@ Row row_from(const Json& j) {
   if (j.contains("drift"))
     for (const auto& [name, value] : j["drift"].items())
       r.drift[name] = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  if (j.contains("events")) r.events = events_from(j["events"]);
   if (j.contains("local")) r.local = local_from(j["local"]);
   if (j.contains("history")) r.history = steps_from(j["history"]);
   if (j.contains("timing")) r.timing = timing_from(j["timing"]);
@@ -213,6 +224,7 @@ std::string to_json_line(const Row& r) {
       drift[name] = std::isfinite(value) ? Json(value) : Json(nullptr);
     j["drift"] = drift;
   }
+  if (r.events) j["events"] = events_json(*r.events);
   if (r.local) j["local"] = local_json(*r.local);
   if (r.history) j["history"] = steps_json(*r.history);
   if (r.timing) j["timing"] = timing_json(*r.timing);

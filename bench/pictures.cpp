@@ -8,6 +8,7 @@
 #include <set>
 
 #include "bench/registry.hpp"
+#include "bench/settling.hpp"
 #include "bench/stability_region.hpp"
 #include "integrators/linear_stability.hpp"
 #include "integrators/system.hpp"
@@ -113,6 +114,8 @@ Pictures make_pictures(const Registry& registry, const std::vector<Row>& rows) {
       add_problem(pictures, registry, row, with_errors.contains(row.problem));
   pictures.regions = make_regions(registry);
   add_damping(pictures, registry);
+  if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.local.has_value(); }))
+    pictures.settling = measure_settling(registry.methods);
   return pictures;
 }
 

@@ -9,6 +9,7 @@
 #include "bench/pictures.hpp"
 #include "bench/registry.hpp"
 #include "bench/run.hpp"
+#include "bench/solve.hpp"
 #include "reference/truth.hpp"
 
 namespace odemark {
@@ -46,11 +47,9 @@ Seen solve(const AnyMethod& method, const AnyProblem& problem, const Control& co
     if (grid.empty()) seen.t.push_back(t), seen.y.emplace_back(state, state + size);
     return ++steps < most_steps;
   };
-  const auto& system = problem.system<double>();
+  std::vector<FoundEvent> found;
   try {
-    seen.status = method.runs<double>()
-                      .solve_traced(system, system, control, problem.t_begin, problem.t_end, y, trace)
-                      .status;
+    seen.status = solve_problem(method, problem, control, y, trace, found, nullptr).status;
   } catch (const std::exception&) {
     seen.status = RunStatus::rhs_failed;
   }

@@ -14,6 +14,7 @@ struct PlannedRun {
   std::shared_ptr<const AnyProblem> problem;
   RunRequest request;
   std::string plan;
+  bool part_of_comparison = false;  // codes against codes at one tolerance; see execute.hpp
 };
 
 /// What `odemark run` was asked for. Empty lists mean: what the suite says.

@@ -9,6 +9,7 @@
 
 #include "bench/expected_order.hpp"
 #include "bench/measure.hpp"
+#include "bench/solve.hpp"
 #include "bench/static_run.hpp"
 #include "bench/step_record.hpp"
 
@@ -49,9 +50,12 @@ RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const Ru
                     const Control& control, const Row& row) {
   using Clock = std::chrono::steady_clock;
   const StaticRun* inlined = nullptr;
+  const bool pieces = in_pieces(problem, control);
   if constexpr (std::is_same_v<T, double>)
-    if (!request.compensated && (request.rtol || method.provider == "odemark"))
+    if (!pieces && !request.compensated && (request.rtol || method.provider == "odemark"))
       inlined = find_static_run(problem.family, method.id);
+  Trace<T> nothing;
+  std::vector<FoundEvent> found;
   const auto initial = initial_state<T>(problem);
   std::vector<T> y = initial;
   const auto once = [&] {
@@ -61,7 +65,10 @@ RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const Ru
         inlined->solve(problem.value.get(), control, problem.t_begin, problem.t_end, y.data());
         return;
       }
-    method.runs<T>().solve(problem.system<T>(), control, problem.t_begin, problem.t_end, y);
+    if (pieces)
+      solve_problem(method, problem, control, y, nothing, found, nullptr);
+    else
+      method.runs<T>().solve(problem.system<T>(), control, problem.t_begin, problem.t_end, y);
   };
   const auto seconds_of = [&](int batch) {
     const auto begin = Clock::now();
@@ -74,8 +81,9 @@ RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const Ru
   const int batch = std::clamp(static_cast<int>(20e-6 / std::max(probe, 1e-9)), 1, 1000);
   // a long run is its own average: the one that checked the bits is the measurement
   std::vector<double> seconds;
-  if (probe > 0.05) seconds.push_back(probe);
-  double spent = probe > 0.05 ? request.timing_seconds : 0;
+  const bool long_enough = probe > request.timed_once_from;
+  if (long_enough) seconds.push_back(probe);
+  double spent = long_enough ? request.timing_seconds : 0;
   while (seconds.empty() || spent < request.timing_seconds ||
          (static_cast<int>(seconds.size()) < request.timing_repeats && spent < 4 * request.timing_seconds)) {
     seconds.push_back(seconds_of(batch));
@@ -100,8 +108,19 @@ RowTiming time_runs(const AnyMethod& method, const AnyProblem& problem, const Ru
   return timing;
 }
 
+RowEvents event_errors(const std::vector<FoundEvent>& found, const std::vector<TruthEvent>& expected) {
+  RowEvents events{long(found.size()), long(expected.size()), {}};
+  for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i) {
+    if (found[i].event != expected[i].event) break;  // from here on it is another story
+    const double error = double(std::abs(difference(static_cast<long double>(found[i].t), expected[i].t)));
+    events.worst_time_error = std::max(events.worst_time_error.value_or(0), error);
+  }
+  return events;
+}
+
 void add_errors(Row& row, const AnyProblem& problem, const std::vector<long double>& y,
-                const std::vector<long double>& samples, const Watch& watch, double unit_roundoff_ratio) {
+                const std::vector<long double>& samples, const Watch& watch,
+                const std::vector<FoundEvent>& found, double unit_roundoff_ratio) {
   std::shared_ptr<const Truth> truth;
   try {
     truth = truth_of(problem);
@@ -110,6 +129,7 @@ void add_errors(Row& row, const AnyProblem& problem, const std::vector<long doub
     return;
   }
   const TruthPoint& end = truth->last();
+  if (!problem.event_names.empty()) row.events = event_errors(found, truth->events);
   for (std::size_t i = 0; i < y.size(); ++i)
     row.truth_floor = std::max(row.truth_floor, double(end.values[i].bound) / problem.scale[i]);
   row.truth_digits = end.digits;
@@ -139,7 +159,6 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
   const Control control = control_of(request, problem);
   auto y = initial_state<T>(problem);
   WorkCounts counts;
-  const CountingSystem<T> counting(problem.system<T>(), counts);
   Watch watch(problem, request.time_limit_seconds);
   std::vector<long double> wide(problem.size());
   Trace<T> trace;
@@ -155,9 +174,9 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
     return watch(wide) && !(stop && stop->load(std::memory_order_relaxed));
   };
   RunReport report;
+  std::vector<FoundEvent> found;
   try {
-    report = method.runs<T>().solve_traced(counting.view(), problem.system<T>(), control, problem.t_begin,
-                                           problem.t_end, y, trace);
+    report = solve_problem(method, problem, control, y, trace, found, &counts);
   } catch (const std::exception& e) {
     row.status = to_string(RunStatus::rhs_failed);
     row.reason = fmt::format("the right-hand side threw: {}", e.what());
@@ -177,12 +196,14 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
               counts.rhs + counts.acceleration + counts.series * method.order};
   row.state_hash = hash_bits(y);
   if (record && request.step_sizes) row.history = record->history(64);
-  if (record && request.local_errors) row.local = record->local_errors(std::get<ErrorControl>(control), 48);
+  // a step is judged by the equations it was taken with; a record does not know their phase
+  if (record && request.local_errors && problem.smooth())
+    row.local = record->local_errors(std::get<ErrorControl>(control), 48);
   watch.fill(row);
   std::copy(y.begin(), y.end(), wide.begin());
   const std::vector<long double> samples(trace.samples.begin(), trace.samples.end());
   const double roundoff = double(std::numeric_limits<T>::epsilon()) / std::numeric_limits<double>::epsilon();
-  add_errors(row, problem, wide, samples, watch, roundoff);
+  add_errors(row, problem, wide, samples, watch, found, roundoff);
 }
 
 }  // namespace
@@ -237,10 +258,8 @@ void add_timing(Row& row, const AnyMethod& method, const AnyProblem& problem, co
   }
 }
 
-Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request, std::string_view plan,
-        const std::atomic<bool>* stop) {
-  if (request.steps.has_value() == request.rtol.has_value())
-    throw std::logic_error("a request has either a number of steps or a tolerance");
+Row describe(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request,
+             std::string_view plan) {
   Row row;
   row.id = row_id(method, problem, request, plan);
   row.plan = std::string(plan);
@@ -260,6 +279,14 @@ Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& re
     row.filter =
         method.provider == "odemark" && !method.own_step_control ? std::string(request.filter.id) : "its own";
   }
+  return row;
+}
+
+Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request, std::string_view plan,
+        const std::atomic<bool>* stop) {
+  if (request.steps.has_value() == request.rtol.has_value())
+    throw std::logic_error("a request has either a number of steps or a tolerance");
+  Row row = describe(method, problem, request, plan);
   switch (request.scalar) {
     case ScalarType::float_type: run_as<float>(row, method, problem, request, stop); break;
     case ScalarType::double_type: run_as<double>(row, method, problem, request, stop); break;

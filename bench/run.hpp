@@ -27,6 +27,7 @@ struct RunRequest {
   bool compensated = false;
   int timing_repeats = 0;          // 0: do not time
   double timing_seconds = 0.02;    // repeat until this much time is spent, at least timing_repeats times
+  double timed_once_from = 0.05;   // seconds: a run this long is its own average and is not repeated
   double time_limit_seconds = 20;  // of the counted run
   bool trajectory = true;          // compare on the common time grid too
   bool step_sizes = false;         // error control: keep the history of the step
@@ -42,6 +43,10 @@ Row run(const AnyMethod& method, const AnyProblem& problem, const RunRequest& re
 /// Times a row that was run without: the same request again, bare. Nothing happens to a row that did not
 /// reach its end.
 void add_timing(Row& row, const AnyMethod& method, const AnyProblem& problem, const RunRequest& request);
+
+/// The row as it is before anything ran: what was asked for.
+Row describe(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request,
+             std::string_view plan);
 
 /// The row's identity, without running: what a results file is resumed by.
 std::string row_id(const AnyMethod& method, const AnyProblem& problem, const RunRequest& request,

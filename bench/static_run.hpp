@@ -15,8 +15,14 @@ struct StaticRun {
   RunReport (*solve)(const void* values, const Control&, double t0, double t1, double* y);
 };
 
-/// Every method on every family marked `static` in problems/catalogue.txt, where the method applies.
+/// The pairs marked `static` in the catalogues, where the method applies.
 const std::vector<StaticRun>& suite_static_runs();
+
+/// The marks themselves, whether the method applies or not.
+struct StaticMark {
+  std::string_view family, method;
+};
+const std::vector<StaticMark>& suite_static_marks();
 
 /// Null where the pair is not compiled statically. Contestants are found too, for error control only, where
 /// their library lets its user inline: comparing an inlined run of ours with a called one of theirs would be

@@ -16,8 +16,9 @@ set(ODEMARK_METHODS)
 set(ODEMARK_STATIC_METHODS)
 foreach(line ${lines})
   string(STRIP "${line}" line)
-  if(line MATCHES "^([a-z0-9_]+) +static$")
+  if(line MATCHES "^([a-z0-9_]+) +static(=([a-z0-9_,]+))?$")
     set(line ${CMAKE_MATCH_1})
+    string(REPLACE "," ";" static_families_of_${line} "${CMAKE_MATCH_3}")  # empty: all that are marked
     list(APPEND ODEMARK_STATIC_METHODS ${line})
   endif()
   if(line MATCHES "^([a-z0-9_]+)\\[([0-9]+)\\.\\.([0-9]+)\\]$")
@@ -29,7 +30,7 @@ foreach(line ${lines})
     list(APPEND ODEMARK_METHODS ${line})
     set(file_of_${line} ${line})
   else()
-    message(FATAL_ERROR "integrators/catalogue.txt: cannot read \"${line}\"; write an id, an id and `static`, or name[first..last]")
+    message(FATAL_ERROR "integrators/catalogue.txt: cannot read \"${line}\"; write an id, an id and `static` or `static=family,family`, or name[first..last]")
   endif()
 endforeach()
 
@@ -95,12 +96,13 @@ set(wide_calls "")
 set(wide_declarations "")
 set(static_declarations "")
 set(static_calls "")
+set(static_marks "")
 set(ODEMARK_FAMILY_UNITS)
 set(ODEMARK_WIDE_UNITS)
 set(ODEMARK_STATIC_UNITS)
 set(ODEMARK_FAMILIES)
 set(ODEMARK_STATIC_FAMILIES)
-set(chunk_size 8)
+set(chunk_size 32)  # headers are parsed once per chunk; a touched family is one chunk
 foreach(line ${lines})
   if(NOT line MATCHES "^([a-z0-9_]+) +([A-Za-z0-9]+)( +static)? *$")
     message(FATAL_ERROR "problems/catalogue.txt: cannot read \"${line}\"; write: id ClassTemplate [static]")
@@ -139,7 +141,14 @@ WideFamily wide_${id}() { return make_wide_family<${type}>(); }
     set(chunk "")
     set(chunk_number 0)
     set(filled 0)
-    foreach(method ${ODEMARK_STATIC_METHODS} END)
+    set(inlined)
+    foreach(method ${ODEMARK_STATIC_METHODS})
+      if(NOT static_families_of_${method} OR id IN_LIST static_families_of_${method})
+        list(APPEND inlined ${method})
+        string(APPEND static_marks "    {\"${id}\", \"${method}\"},\n")
+      endif()
+    endforeach()
+    foreach(method ${inlined} END)
       if(method STREQUAL "END" OR filled EQUAL chunk_size)
         if(filled GREATER 0)
           set(unit ${ODEMARK_GENERATED}/static/${id}_${chunk_number}.cpp)
@@ -199,6 +208,15 @@ ${wide_calls}    return families;
 }
 ")
 list(APPEND ODEMARK_WIDE_UNITS ${ODEMARK_GENERATED}/suite_wide_families.cpp)
+if(ODEMARK_STATIC_TIER)
+  foreach(method ${ODEMARK_STATIC_METHODS})
+    foreach(family ${static_families_of_${method}})
+      if(NOT family IN_LIST ODEMARK_STATIC_FAMILIES)
+        message(FATAL_ERROR "integrators/catalogue.txt: ${method} is static=${family}, which problems/catalogue.txt does not mark static")
+      endif()
+    endforeach()
+  endforeach()
+endif()
 odemark_write(${ODEMARK_GENERATED}/suite_static_runs.cpp
 "#include \"bench/static_run.hpp\"
 namespace odemark {
@@ -208,6 +226,11 @@ const std::vector<StaticRun>& suite_static_runs() {
     std::vector<StaticRun> runs;
 ${static_calls}    return runs;
   }();
+  return all;
+}
+const std::vector<StaticMark>& suite_static_marks() {
+  static const std::vector<StaticMark> all = {
+${static_marks}  };
   return all;
 }
 }

@@ -2,7 +2,7 @@
 # missing is skipped: nobody must need all of them.
 function(odemark_provider name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
-  odemark_library(${name} SOURCES ${arg_SOURCES} LINK ${arg_LINK})  # of the suite they use headers only
+  odemark_library(${name} SOURCES ${arg_SOURCES} LINK odemark::integrators ${arg_LINK})
   string(TOUPPER ${name} upper)
   target_compile_definitions(odemark_${name} PUBLIC ODEMARK_HAS_${upper}=1)
   set(ODEMARK_PROVIDERS ${ODEMARK_PROVIDERS} odemark::${name} PARENT_SCOPE)

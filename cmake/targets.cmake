@@ -59,9 +59,8 @@ add_executable(odemark_make_solutions EXCLUDE_FROM_ALL tools/make_solutions.cpp)
 target_link_libraries(odemark_make_solutions PRIVATE odemark::reference odemark_warnings Threads::Threads)
 
 odemark_compile_lightly(${ODEMARK_WIDE_UNITS} ${reference_sources})  # wide arithmetic is a library call per operation
-odemark_precompile(odemark_reference ${ODEMARK_COMMON_HEADERS} <nlohmann/json.hpp>)
-# through a precompiled header GCC 12 gives the false alarms of PR 105651 under more names
-set_source_files_properties(${ODEMARK_FAMILY_UNITS} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+odemark_precompile(odemark_reference ${ODEMARK_COMMON_HEADERS} <nlohmann/json.hpp>
+  ${PROJECT_SOURCE_DIR}/reference/make_wide_family.hpp)
 
 # Third-party solvers, each its own target: GSL is GPL-3, and nobody must need all of them.
 set(ODEMARK_CONTESTANTS)

@@ -29,6 +29,9 @@ struct TransitionMatrix {
   bool solved = true;     // false: a Newton iteration failed
 };
 
+template <class T>
+class ErasedStepper;
+
 /// The functions of a method for one number type; null where it does not work in that type.
 template <class T>
 struct MethodRuns {
@@ -37,10 +40,15 @@ struct MethodRuns {
   using SolveTraced = RunReport(const ErasedSystem<T>& counted, const ErasedSystem<T>& bare, const Control&,
                                 double t0, double t1, std::vector<T>& y, Trace<T>&);
   using Transition = TransitionMatrix<T>(const ErasedSystem<T>& homogeneous, T h);
+  /// Calls `use(context, stepper)` with a stepper made for states like `model`, which lives as long as the
+  /// call.
+  using WithStepper = void(const ErasedSystem<T>&, const std::vector<T>& model, void* context,
+                           void (*use)(void* context, ErasedStepper<T>));
 
   Solve* solve = nullptr;
   SolveTraced* solve_traced = nullptr;
   Transition* transition = nullptr;
+  WithStepper* with_stepper = nullptr;  // for double only: single steps, as tests take them
 };
 
 struct AnyMethod {
@@ -53,6 +61,9 @@ struct AnyMethod {
   std::string_view note = "";     // what a reader of its rows must know
   std::string_view advice = "";   // when to use it and when not, in a line
   bool own_step_control = false;  // under error control it does not ask the step-size filter
+  bool solves_equations = false;  // a step fails where an equation has no solution that it finds
+  bool propagates_lower = false;  // of its two formulas the one of lower order is carried on
+  bool jumps_over_poles = false;  // its step exists on the far side of a singularity too, as a finite number
   std::function<Theory()> theory;
   std::tuple<MethodRuns<float>, MethodRuns<double>, MethodRuns<long double>> by_type;
 

@@ -19,6 +19,7 @@ template <std::size_t Points>
 struct AverageVectorField {
   static constexpr std::string_view kind_name = "average vector field";
   static constexpr unsigned needs = 0;
+  static constexpr bool solves_equations = true;
   static constexpr std::size_t points = Points;
 
   std::string_view id, source;

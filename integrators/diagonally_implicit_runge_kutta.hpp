@@ -15,11 +15,13 @@ template <std::size_t Stages>
 struct DiagonallyImplicitRungeKutta {
   static constexpr std::string_view kind_name = "diagonally implicit Runge-Kutta";
   static constexpr unsigned needs = 0;
+  static constexpr bool solves_equations = true;
   static constexpr std::size_t stages = Stages;
 
   std::string_view id, source;
   int order;
   int embedded_order = 0;
+  bool propagates_lower = false;  // embedded_order is order + 1
   std::array<std::array<Coefficient, Stages>, Stages> a{};
   std::array<Coefficient, Stages> b{};
   std::array<Coefficient, Stages> b_embedded{};
@@ -33,7 +35,18 @@ struct DiagonallyImplicitRungeKutta {
   }
   /// The last stage is the new state: nothing is lost where f is stiff.
   constexpr bool stiffly_accurate() const { return a[Stages - 1] == b; }
-  Theory theory() const { return runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr); }
+  /// The matrix that filters the estimate is the one that was factored last.
+  constexpr Coefficient filter_gamma() const {
+    Coefficient gamma = 0;
+    for (std::size_t i = 0; i < Stages; ++i)
+      if (filter_estimate && a[i][i] != 0) gamma = a[i][i];
+    return gamma;
+  }
+  Theory theory() const {
+    Theory theory = runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr);
+    theory.estimate_filter = filter_gamma();
+    return theory;
+  }
 
   template <const auto& method, System P>
   using Stepper = DiagonallyImplicitRungeKuttaStepper<method, P>;

@@ -84,6 +84,28 @@ struct Dual {
     using std::cos, std::sin;
     return x.chain(cos(x.value), -sin(x.value));
   }
+  friend Dual sinh(const Dual& x) {
+    using std::cosh, std::sinh;
+    return x.chain(sinh(x.value), cosh(x.value));
+  }
+  friend Dual cosh(const Dual& x) {
+    using std::cosh, std::sinh;
+    return x.chain(cosh(x.value), sinh(x.value));
+  }
+  friend Dual tanh(const Dual& x) {
+    using std::cosh, std::tanh;
+    const T c = cosh(x.value);  // 1 - tanh^2 would lose its digits where tanh is near 1
+    return x.chain(tanh(x.value), T(1) / c / c);
+  }
+  friend Dual atan(const Dual& x) {
+    using std::atan;
+    return x.chain(atan(x.value), T(1) / (1 + x.value * x.value));
+  }
+  /// x^p for a constant p, whatever p's derivatives.
+  friend Dual pow(const Dual& x, const Dual& p) {
+    using std::pow;
+    return x.chain(pow(x.value, p.value), p.value * pow(x.value, p.value - 1));
+  }
   friend Dual abs(const Dual& x) { return x.value < 0 ? -x : x; }
 };
 

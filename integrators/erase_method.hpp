@@ -81,13 +81,20 @@ TransitionMatrix<T> transition(const ErasedSystem<T>& homogeneous, T h) {
 }
 
 template <const auto& method, class T>
+void with_stepper(const ErasedSystem<T>& system, const std::vector<T>& model, void* context,
+                  void (*use)(void*, ErasedStepper<T>)) {
+  StepperOf<method, ErasedSystem<T>> stepper(system, model);
+  use(context, ErasedStepper<T>(stepper));
+}
+
+template <const auto& method, class T>
 MethodRuns<T> runs_of() {
   using E = ErasedSystem<T>;
   MethodRuns<T> runs;
   if constexpr (Applicable<method, E>) {
     // double is what is timed
     if constexpr (std::is_same_v<T, double>)
-      runs.solve = solve<method, E>;
+      runs.solve = solve<method, E>, runs.with_stepper = with_stepper<method, T>;
     else
       runs.solve = solve_shared<method, T>;
     runs.solve_traced = solve_traced<method, T>;
@@ -108,6 +115,9 @@ AnyMethod erase_method() {
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
   if constexpr (requires { method.note; }) any.note = method.note;
   if constexpr (requires { method.advice; }) any.advice = method.advice;
+  if constexpr (requires { Kind::solves_equations; }) any.solves_equations = Kind::solves_equations;
+  if constexpr (requires { method.propagates_lower; }) any.propagates_lower = method.propagates_lower;
+  if constexpr (requires { method.jumps_over_poles; }) any.jumps_over_poles = method.jumps_over_poles;
   any.own_step_control = ChoosesSteps<StepperOf<method, ErasedSystem<double>>>;
   if constexpr (HasDriver<method, ErasedSystem<double>>) {
     any.takes_fixed_steps = Kind::takes_fixed_steps, any.takes_error_control = true;

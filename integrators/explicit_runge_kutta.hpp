@@ -2,6 +2,7 @@
 #pragma once
 
 #include "integrators/compensated.hpp"
+#include "integrators/paired_stages.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -9,7 +10,41 @@ namespace odemark {
 template <const auto& method, System P>
 class ExplicitRungeKuttaStepper;
 
-inline constexpr std::size_t highest_dense_degree = 5;
+inline constexpr std::size_t highest_dense_degree = 7, most_dense_stages = 4;
+
+/// Dense weights of the form of DOP853: the cubic Hermite polynomial through both ends of the step, and
+/// beyond it theta^2 (1 - theta)^2 (d_0 + theta (d_1 + (1 - theta) (d_2 + theta d_3))). The first dense stage
+/// is the slope at the end.
+template <std::size_t Stages>
+constexpr auto dense_from_hermite(
+    const std::array<Coefficient, Stages>& b,
+    const std::array<std::array<Coefficient, Stages + most_dense_stages>, 4>& d) {
+  std::array<std::array<Coefficient, highest_dense_degree>, Stages + most_dense_stages> dense{};
+  for (std::size_t j = 0; j < Stages + most_dense_stages; ++j) {
+    const Coefficient step = j < Stages ? b[j] : 0, start = j == 0, end = j == Stages;
+    // theta (step + (1 - theta) (u + theta (v + (1 - theta) inner))), from the inside
+    const Coefficient u = start - step, v = 2 * step - start - end;
+    // ascending powers of theta
+    std::array<Coefficient, highest_dense_degree + 1> p{};
+    const auto times_theta = [&p] {
+      for (std::size_t k = highest_dense_degree; k > 0; --k) p[k] = p[k - 1];
+      p[0] = 0;
+    };
+    const auto times_rest = [&p] {
+      for (std::size_t k = highest_dense_degree; k > 0; --k) p[k] -= p[k - 1];
+    };
+    p[0] = d[3][j];
+    times_theta(), p[0] += d[2][j];
+    times_rest(), p[0] += d[1][j];
+    times_theta(), p[0] += d[0][j];
+    times_rest(), p[0] += v;
+    times_theta(), p[0] += u;
+    times_rest(), p[0] += step;
+    times_theta();
+    for (std::size_t k = 0; k < highest_dense_degree; ++k) dense[j][k] = p[k + 1];
+  }
+  return dense;
+}
 
 /// Nodes c are the row sums of `a`; first-same-as-last is read off the rows. Neither can disagree with them.
 template <std::size_t Stages>
@@ -20,15 +55,20 @@ struct ExplicitRungeKutta {
 
   std::string_view id, source, note = "", advice = "";
   int order;
-  int embedded_order = 0;  // 0: no error estimate; above `order` where the lower formula is propagated
+  int embedded_order = 0;         // 0: no error estimate
+  bool propagates_lower = false;  // embedded_order is order + 1: the better formula only estimates
   std::array<std::array<Coefficient, Stages>, Stages> a{};
   std::array<Coefficient, Stages> b{};
   std::array<Coefficient, Stages> b_embedded{};
   int second_embedded_order = 0;  // 0: one estimate; else two, combined by their norms as in DOP853
   std::array<Coefficient, Stages> b_second_embedded{};
   int dense_order = 0;  // 0: no values between steps; else y + h sum_j b_j(theta) k_j has this order
+  /// Stages beyond those of the step that only values between steps need: evaluated when the first is asked
+  /// for.
+  std::size_t dense_stages = 0;
+  std::array<std::array<Coefficient, Stages + most_dense_stages>, most_dense_stages> a_dense{};
   /// b_j(theta) = sum_k dense[j][k] theta^(k+1)
-  std::array<std::array<Coefficient, highest_dense_degree>, Stages> dense{};
+  std::array<std::array<Coefficient, highest_dense_degree>, Stages + most_dense_stages> dense{};
 
   constexpr Coefficient c(std::size_t stage) const {
     Coefficient sum = 0;
@@ -47,9 +87,7 @@ struct ExplicitRungeKutta {
   }
   Theory theory() const {
     Theory theory = runge_kutta_theory(a, b, embedded_order > 0 ? &b_embedded : nullptr);
-    Coefficient size = 0;
-    for (const Coefficient w : b) size += w < 0 ? -w : w;
-    theory.rounding_amplification = cancellation(size);
+    theory.rounding_amplification = sum_of_magnitudes(b);
     return theory;
   }
 
@@ -71,7 +109,7 @@ class ExplicitRungeKuttaStepper {
   ExplicitRungeKuttaStepper(const P& system, const State& model)
       : system_(system), first_(blank_like(model)), last_(blank_like(model)) {
     if constexpr (!is_fixed) {
-      slopes_.fill(model);
+      slopes_.fill(model), dense_slopes_.fill(model);
       stage_ = increment_ = model;
       if constexpr (method.has_second_estimate()) second_ = model;
     }
@@ -82,9 +120,12 @@ class ExplicitRungeKuttaStepper {
   [[gnu::always_inline]] StepStatus attempt(Real t, const State& y, Real h, State& next, State& error) {
     if (!first_known_) system_.rhs(t, y, first_);
     first_known_ = true;  // still f(t, y) if this attempt is rejected
-    if constexpr (is_fixed)
+    dense_known_ = method.dense_stages == 0;
+    if constexpr (in_pairs) {
+      paired_.take_step(system_, t, y, h, State(first_), next, error, second_, last_);
+    } else if constexpr (is_fixed) {
       evaluate_from<1>(t, y, h, next, error, State(first_));
-    else {
+    } else {
       evaluate_stored(t, y, h, next);
       if constexpr (method.has_error_estimate()) [&]<std::size_t... J>(std::index_sequence<J...>) {
           estimate(h, error, slope<J>()...);
@@ -109,21 +150,18 @@ class ExplicitRungeKuttaStepper {
   /// integrators/integrate.hpp.
   const State& second_error() const requires(method.has_second_estimate()) { return second_; }
 
-  /// y(t + theta h) from the slopes of the last attempt, before accept(): no evaluation. For states of
-  /// run-time size, whose slopes are stored.
-  void interpolate(Real theta, const State& y, Real h, State& out)  //
+  /// y(t + theta h) from the slopes of the last attempt, before accept(): no evaluation, but for the first
+  /// value of a step where the method has dense stages. For states of run-time size, whose slopes are stored.
+  void interpolate(Real t, Real theta, const State& y, Real h, State& out)  //
       requires(method.dense_order > 0 && fixed_size<State> == 0) {
-    std::array<Real, method.stages> weights{};
-    for (std::size_t j = 0; j < method.stages; ++j) {
+    evaluate_dense_stages(t, y, h);
+    std::array<Real, method.stages + most_dense_stages> weights{};
+    for (std::size_t j = 0; j < method.stages + method.dense_stages; ++j) {
       for (std::size_t k = highest_dense_degree; k-- > 0;)
         weights[j] = (weights[j] + static_cast<Real>(method.dense[j][k])) * theta;
       weights[j] *= h;
     }
-    for_each_component(y, [&](std::size_t i) {
-      Component sum = y.data()[i] + weights[0] * first_.data()[i];
-      for (std::size_t j = 1; j < method.stages; ++j) sum = sum + weights[j] * slopes_[j].data()[i];
-      out.data()[i] = sum;
-    });
+    combine_dense(y, weights, method.stages + method.dense_stages, out);
   }
 
   StepStatus attempt_compensated(Real t, const State& y, const State& carry, Real h, State& next,
@@ -140,20 +178,14 @@ class ExplicitRungeKuttaStepper {
  private:
   static constexpr bool is_fixed = fixed_size<State> > 0;
 
-  template <std::size_t I>
-  struct RowWeights {
-    static constexpr Coefficient value(std::size_t j) { return method.a[I][j]; }
-  };
-  struct MainWeights {
-    static constexpr Coefficient value(std::size_t j) { return method.b[j]; }
-  };
-  struct ErrorWeights {
-    static constexpr Coefficient value(std::size_t j) { return method.b[j] - method.b_embedded[j]; }
-  };
+  static constexpr bool in_pairs = has_paired_stages<method, State>;
+  struct NotPaired {};
 
-  struct SecondErrorWeights {
-    static constexpr Coefficient value(std::size_t j) { return method.b[j] - method.b_second_embedded[j]; }
-  };
+  template <std::size_t I>
+  using RowWeights = TableauRow<method, I>;
+  using MainWeights = RowWeights<RowWeights<0>::step>;
+  using ErrorWeights = RowWeights<RowWeights<0>::error>;
+  using SecondErrorWeights = RowWeights<RowWeights<0>::second_error>;
 
   template <std::size_t I, class... Slopes>
   [[gnu::always_inline]] void evaluate_from(Real t, const State& y, Real h, State& next, State& error,
@@ -180,6 +212,32 @@ class ExplicitRungeKuttaStepper {
       return first_;
     else
       return slopes_[J];
+  }
+
+  const State& dense_slope(std::size_t j) const {
+    return j == 0 ? first_ : j < method.stages ? slopes_[j] : dense_slopes_[j - method.stages];
+  }
+  void combine_dense(const State& y, const std::array<Real, method.stages + most_dense_stages>& weights,
+                     std::size_t count, State& out) const {
+    for_each_component(y, [&](std::size_t i) {
+      Component sum = y.data()[i];
+      for (std::size_t j = 0; j < count; ++j) sum = sum + weights[j] * dense_slope(j).data()[i];
+      out.data()[i] = sum;
+    });
+  }
+  void evaluate_dense_stages(Real t, const State& y, Real h) {
+    if (dense_known_) return;
+    dense_known_ = true;
+    for (std::size_t d = 0; d < method.dense_stages; ++d) {
+      std::array<Real, method.stages + most_dense_stages> weights{};
+      Coefficient node = 0;
+      for (std::size_t j = 0; j < method.stages + d; ++j) {
+        node += method.a_dense[d][j];
+        weights[j] = h * static_cast<Real>(method.a_dense[d][j]);
+      }
+      combine_dense(y, weights, method.stages + d, stage_);
+      system_.rhs(t + static_cast<Real>(node) * h, stage_, dense_slopes_[d]);
+    }
   }
 
   void evaluate_stored(Real t, const State& y, Real h, State& next) {
@@ -237,7 +295,9 @@ class ExplicitRungeKuttaStepper {
   State first_, last_;  // f(t, y) of this step; f at its end where the last stage is the next first
   State stage_{}, increment_{}, second_{};
   std::array<State, is_fixed ? 0 : method.stages> slopes_{};
-  bool first_known_ = false;
+  std::array<State, is_fixed ? 0 : method.dense_stages> dense_slopes_{};
+  std::conditional_t<in_pairs, PairedStages<method, P>, NotPaired> paired_{};
+  bool first_known_ = false, dense_known_ = true;
 };
 
 }  // namespace odemark

@@ -28,6 +28,7 @@ template <std::size_t Stages, LinearPart Part = LinearPart::of_the_problem>
 struct ExponentialRungeKutta {
   static constexpr std::string_view kind_name = "exponential";
   static constexpr unsigned needs = Part == LinearPart::of_the_problem ? unsigned(Ability::linear_part) : 0;
+  static constexpr bool compiled_apart = true;  // its matrix functions: for real numbers only
   static constexpr std::size_t stages = Stages;
   static constexpr bool from_jacobian = Part == LinearPart::jacobian;
 
@@ -35,6 +36,7 @@ struct ExponentialRungeKutta {
   std::string_view note = "";
   int order;
   int embedded_order = 0;
+  bool jumps_over_poles = false;  // see AnyMethod
   std::array<Coefficient, Stages> c{};
   std::array<std::array<PhiSum, Stages>, Stages> a{};
   std::array<PhiSum, Stages> b{}, b_embedded{};

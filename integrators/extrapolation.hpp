@@ -11,6 +11,7 @@ namespace odemark {
 /// What is extrapolated.
 struct GraggRule {
   static constexpr std::string_view kind_name = "extrapolation";
+  static constexpr bool solves_equations = false;
   static constexpr std::size_t most_rows = 10;  // order 20
   static constexpr int order_of(std::size_t rows) { return 2 * int(rows); }
   template <class P, std::size_t Rows>
@@ -24,6 +25,7 @@ struct GraggRule {
 };
 struct LinearlyImplicitRule {
   static constexpr std::string_view kind_name = "linearly implicit extrapolation";
+  static constexpr bool solves_equations = true;
   static constexpr std::size_t most_rows = 9;
   static constexpr int order_of(std::size_t rows) { return int(rows); }
   template <class P, std::size_t Rows>
@@ -66,6 +68,7 @@ class ExtrapolationStepper {
 template <class Rule, std::size_t Rows>
 struct FixedExtrapolation {
   static constexpr std::string_view kind_name = Rule::kind_name;
+  static constexpr bool solves_equations = Rule::solves_equations;
   static constexpr unsigned needs = 0;
 
   std::string_view id, source;
@@ -82,6 +85,7 @@ struct FixedExtrapolation {
 template <class Rule>
 struct VariableExtrapolation {
   static constexpr std::string_view kind_name = Rule::kind_name;
+  static constexpr bool solves_equations = Rule::solves_equations;
   static constexpr unsigned needs = 0;
   static constexpr bool takes_fixed_steps = false;
 

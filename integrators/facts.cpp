@@ -18,11 +18,12 @@ Fact<Radii> controllers(const Theory& theory, const MethodFacts& facts, int embe
   const auto& end = facts.stability.real_interval;
   if (!end || !std::isfinite(*end) || *end <= 0)
     return Fact<Radii>::none("stability does not limit its steps on the negative real axis");
-  const auto matrix = detail::implicit_matrix(t);
+  const Tableau e = detail::embedded_tableau(t);
   const int order = *facts.order, embedded = *facts.embedded_order;
-  return detail::controller_radii(detail::stability_function(t.stages, matrix, t.b, order),
-                                  detail::stability_function(t.stages, matrix, t.b_embedded, embedded), -*end,
-                                  std::min(order, embedded) + 1);
+  return detail::controller_radii(
+      detail::stability_function(t.stages, detail::implicit_matrix(t), t.b, order),
+      detail::stability_function(e.stages, detail::implicit_matrix(e), e.b, embedded), -*end,
+      std::min(order, embedded) + 1);
 }
 
 /// The theory with the polynomials that its tableau really has: what order makes of them is exact.
@@ -61,6 +62,18 @@ void check_order_on_oscillator(MethodFacts& f) {
     f.order.reason = "claimed, and not contradicted by what it does to a free oscillation";
 }
 
+/// Special Nystrom trees decide on x'' = a(t, x), words in drift and kick on the sum of any two flows.
+void add_proof(const ProvedOrders& proved, int claimed, MethodFacts& f) {
+  const std::string trees = "proved by special Nystrom trees, to rounding";
+  f.order = {proved.order, trees};
+  if (proved.for_any_split >= std::max(1, std::min(claimed, proved.order)))
+    f.order.reason += "; by words of drifts and kicks, for any two flows";
+  else if (proved.for_any_split > 0)
+    f.order.reason +=
+        "; " + std::to_string(proved.for_any_split) + " where the kinetic energy is not quadratic";
+  if (f.embedded_order) f.embedded_order = {proved.embedded_order, trees};
+}
+
 }  // namespace
 
 MethodFacts method_facts(const Theory& theory, int order, int embedded_order) {
@@ -86,8 +99,15 @@ MethodFacts method_facts(const Theory& theory, int order, int embedded_order) {
   } else {
     f.stability = detail::stability_facts(theory);
   }
+  if (theory.most_stages > 0)
+    f.internal_amplification = {
+        theory.internal_amplification,
+        "of a step with " + std::to_string(theory.most_stages) + " stages, as many as double allows"};
   detail::add_oscillator_facts(with_function(theory, f), f);
-  if (!theory.moves.empty()) check_order_on_oscillator(f);
+  if (theory.proof)
+    add_proof(theory.proof(), order, f);
+  else if (!theory.moves.empty())
+    check_order_on_oscillator(f);
   f.controller_spectral_radius = controllers(theory, f, embedded_order);
   return f;
 }

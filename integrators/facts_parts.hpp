@@ -15,6 +15,9 @@ Theory stability_function(std::size_t stages, const std::vector<Coefficient>& a,
 /// alpha + gamma of a Rosenbrock tableau, else A.
 std::vector<Coefficient> implicit_matrix(const Tableau& tableau);
 bool is_explicit(const Tableau& tableau);
+/// The formula that the estimate compares with, as `b`; f(t, y) is its first stage where it is none of the
+/// method's.
+Tableau embedded_tableau(const Tableau& tableau);
 
 StabilityFacts stability_facts(const Theory& theory);
 StabilityFacts no_stability_facts(const std::string& why);

@@ -113,6 +113,27 @@ Coefficient angle_of_locus(const Theory& theory) {
   return std::min(best, angle((low + high) / 2)) * 180 / std::numbers::pi_v<Coefficient>;
 }
 
+/// A characteristic polynomial in w whose coefficients are polynomials in z: for large z its roots are those
+/// of the highest power of z, and as many go to infinity as that has lost powers of w.
+Fact<Coefficient> at_infinity(const std::vector<std::vector<Coefficient>>& characteristic) {
+  const auto degree = [](const std::vector<Coefficient>& row) {
+    std::size_t size = row.size();
+    while (size > 0 && row[size - 1] == 0) --size;
+    return size;  // 0: nothing there
+  };
+  std::size_t highest = 0, last = 0;
+  for (std::size_t k = 0; k < characteristic.size(); ++k) {
+    highest = std::max(highest, degree(characteristic[k]));
+    if (degree(characteristic[k]) > 0) last = k;
+  }
+  const auto& row = characteristic[last];
+  if (degree(row) < highest) return infinity;
+  Coefficient largest = 0;
+  for (const auto& w : polynomial_roots({row.begin(), row.begin() + std::ptrdiff_t(highest)}))
+    largest = std::max(largest, std::abs(w));
+  return {largest, "the largest root of the highest power of z"};
+}
+
 Fact<Coefficient> at_infinity(const Theory& theory) {
   if (is_one_step_function(theory)) {
     auto p = theory.numerator;
@@ -123,8 +144,7 @@ Fact<Coefficient> at_infinity(const Theory& theory) {
     if (p.size() > q.size()) return infinity;
     return p.back() / q.back();
   }
-  if (theory.sigma.empty())
-    return Fact<Coefficient>::none("a characteristic polynomial of higher degree in z");
+  if (theory.sigma.empty()) return at_infinity(theory.characteristic);
   auto sigma = theory.sigma;
   while (!sigma.empty() && sigma.back() == 0) sigma.pop_back();
   if (sigma.size() < theory.rho.size()) return infinity;

@@ -87,12 +87,11 @@ bool mirrored(const View& v, std::vector<std::size_t>& image) {
 }
 
 void add_embedded(const Theory& theory, int claimed, MethodFacts& facts) {
-  const Tableau& t = theory.tableau;
-  const auto proof = tree_order(t, t.b_embedded, claimed + 2);
+  const Tableau t = embedded_tableau(theory.tableau);
+  const auto proof = tree_order(t, t.b, claimed + 2);
   facts.embedded_order = {proof.order, proof.exact ? "proved in integers" : "proved to rounding"};
   facts.embedded_error_constant = proof.principal_error_norm;
-  facts.embedded =
-      stability_facts(stability_function(t.stages, implicit_matrix(t), t.b_embedded, proof.order));
+  facts.embedded = stability_facts(stability_function(t.stages, implicit_matrix(t), t.b, proof.order));
 }
 
 }  // namespace
@@ -100,6 +99,18 @@ void add_embedded(const Theory& theory, int claimed, MethodFacts& facts) {
 std::vector<Coefficient> implicit_matrix(const Tableau& t) {
   std::vector<Coefficient> out = t.a;
   for (std::size_t i = 0; i < t.gamma.size(); ++i) out[i] += t.gamma[i];
+  return out;
+}
+
+Tableau embedded_tableau(const Tableau& t) {
+  Tableau out = t;
+  out.b = t.b_embedded, out.b_embedded.clear(), out.embedded_start = 0;
+  if (t.embedded_start == 0) return out;
+  out.stages = t.stages + 1;
+  out.b.insert(out.b.begin(), t.embedded_start);
+  out.a.assign(out.stages * out.stages, 0);
+  for (std::size_t i = 0; i < t.stages; ++i)
+    for (std::size_t j = 0; j < t.stages; ++j) out.a[(i + 1) * out.stages + j + 1] = t.a[i * t.stages + j];
   return out;
 }
 

@@ -17,11 +17,13 @@ template <std::size_t Stages>
 struct FullyImplicitRungeKutta {
   static constexpr std::string_view kind_name = "fully implicit Runge-Kutta";
   static constexpr unsigned needs = 0;
+  static constexpr bool solves_equations = true;
   static constexpr std::size_t stages = Stages;
 
   std::string_view id, source;
   int order;
   int embedded_order = 0;
+  bool jumps_over_poles = false;  // see AnyMethod
   StageMatrix<Stages> a{};
   StageVector<Stages> b{};
   std::string_view note = "", advice = "";
@@ -42,7 +44,11 @@ struct FullyImplicitRungeKutta {
     }
     return false;
   }
-  Theory theory() const { return runge_kutta_theory(a, b); }
+  Theory theory() const {
+    Theory theory = runge_kutta_theory(a, b);
+    if (embedded_order > 0) compare_with_start(theory);
+    return theory;
+  }
 
   template <const auto& method, System P>
   using Stepper = FullyImplicitRungeKuttaStepper<method, P>;

@@ -183,7 +183,7 @@ class FullyImplicitRungeKuttaStepper {
     ++counts_.newton;
   }
   bool iterate_to_tolerance(Real t, const State& y, Real h) {
-    newton_.begin_step(), newton_.begin();
+    newton_.begin_step(), newton_.begin(h != last_h_);
     for (;;) {
       evaluate_stages(t, y, h);
       if constexpr (is_singular)

@@ -74,6 +74,24 @@ struct alignas(sizeof(T) * Width) Lanes {
   friend Lanes exp(const Lanes& x) {
     return each([&](std::size_t i) { return std::exp(x.lane[i]); });
   }
+  friend Lanes log(const Lanes& x) {
+    return each([&](std::size_t i) { return std::log(x.lane[i]); });
+  }
+  friend Lanes sinh(const Lanes& x) {
+    return each([&](std::size_t i) { return std::sinh(x.lane[i]); });
+  }
+  friend Lanes cosh(const Lanes& x) {
+    return each([&](std::size_t i) { return std::cosh(x.lane[i]); });
+  }
+  friend Lanes tanh(const Lanes& x) {
+    return each([&](std::size_t i) { return std::tanh(x.lane[i]); });
+  }
+  friend Lanes atan(const Lanes& x) {
+    return each([&](std::size_t i) { return std::atan(x.lane[i]); });
+  }
+  friend Lanes pow(const Lanes& x, const Lanes& p) {
+    return each([&](std::size_t i) { return std::pow(x.lane[i], p.lane[i]); });
+  }
   friend Lanes abs(const Lanes& x) {
     return each([&](std::size_t i) { return std::abs(x.lane[i]); });
   }

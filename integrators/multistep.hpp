@@ -70,6 +70,7 @@ template <std::size_t Steps, const auto& starter, bool Implicit>
 struct LinearMultistep {
   static constexpr std::string_view kind_name = Implicit ? "implicit multistep" : "explicit multistep";
   static constexpr unsigned needs = 0;
+  static constexpr bool solves_equations = Implicit;
   static constexpr std::string_view starter_id() { return starter.id; }
 
   std::string_view id, source;

@@ -93,11 +93,14 @@ class NewtonControl {
   }
 
   void begin_step() { iterations_ = 0, slowest_ = 0; }
-  /// Of one system of a step; diagonally implicit methods solve several.
-  void begin() {
+  /// Of one system of a step; diagonally implicit methods solve several. `renewed`: the step is not the last
+  /// one again. Where one iteration was enough for steps a fifth as long, its rate says nothing of this one:
+  /// on van_der_pol_mu1000 a step after the jump ended 3600 tolerances off.
+  void begin(bool renewed = false) {
     iteration_ = 0;
     const Real root = std::sqrt(std::max(eta_, std::numeric_limits<Real>::epsilon()));
-    eta_ = root * std::sqrt(root);  // eta^0.75: the rate of the last step, trusted a little less
+    eta_ = root * std::sqrt(root);  // eta^0.75: the rate of the last step, trusted a little less ...
+    if (renewed) eta_ = std::max(eta_, Real(0.01));  // ... and not at all beyond two digits
   }
   NewtonVerdict judge(Real moved) {
     ++iteration_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "integrators/compensated.hpp"
+#include "integrators/nystrom_order.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -43,7 +44,9 @@ struct Nystrom {
       t.b_position_embedded = as_data(b_position_embedded);
       t.b_velocity_embedded = as_data(b_velocity_embedded);
     }
-    return nystrom_theory(std::move(t));
+    Theory theory = nystrom_theory(std::move(t));
+    theory.proof = [m = *this] { return proved_orders(m); };
+    return theory;
   }
 
   template <const auto& method, SecondOrderSystem P>

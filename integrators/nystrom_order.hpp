@@ -1,7 +1,7 @@
 // Algebraic order of Nystrom methods for x'' = a(t, x) by special Nystrom trees, at compile time or run time.
 #pragma once
 
-#include "integrators/stepper.hpp"
+#include "integrators/theory.hpp"
 
 namespace odemark {
 
@@ -93,21 +93,33 @@ template <int Highest = 9, std::size_t S>
   return position_order < velocity_order ? position_order : velocity_order;
 }
 
-/// Are the orders of a Nystrom method as claimed, and do the nodes belong to the rows: sum_j a_ij = c_i^2/2?
-/// The embedded weights may be of higher order in one of the two.
 template <class Method>
-requires requires(const Method& m) { m.b_position_embedded; }
-constexpr bool orders_hold(const Method& m) {
+concept IsNystrom = requires(const Method& m) {
+  m.b_position_embedded;
+};
+
+/// The orders of a Nystrom method up to one beyond its claims; 0 where the nodes do not belong to the rows:
+/// sum_j a_ij = c_i^2/2. The embedded weights may be of higher order in one of the two.
+template <IsNystrom Method>
+constexpr ProvedOrders proved_orders(const Method& m) {
   for (std::size_t i = 0; i < Method::stages; ++i) {
     Coefficient sum = -m.c[i] * m.c[i] / 2;
     for (std::size_t j = 0; j < Method::stages; ++j) sum += m.a[i][j];
-    if (!(sum <= 1e-17L && sum >= -1e-17L)) return false;
+    if (!(sum <= 1e-17L && sum >= -1e-17L)) return {};
   }
   constexpr int highest = Method::stages > 9 ? 13 : 9;
-  return nystrom_order<highest>(m.a, m.c, m.b_position, m.b_velocity, m.order + 1) == m.order &&
-         (m.embedded_order == 0 ||
-          nystrom_order<highest>(m.a, m.c, m.b_position_embedded, m.b_velocity_embedded,
-                                 m.embedded_order + 1) == m.embedded_order);
+  ProvedOrders found{nystrom_order<highest>(m.a, m.c, m.b_position, m.b_velocity, m.order + 1)};
+  if (m.embedded_order > 0)
+    found.embedded_order =
+        nystrom_order<highest>(m.a, m.c, m.b_position_embedded, m.b_velocity_embedded, m.embedded_order + 1);
+  return found;
+}
+
+/// Are they as claimed?
+template <IsNystrom Method>
+constexpr bool orders_hold(const Method& m) {
+  const ProvedOrders found = proved_orders(m);
+  return found.order == m.order && found.embedded_order == m.embedded_order;
 }
 
 }  // namespace odemark

@@ -93,30 +93,40 @@ constexpr int algebraic_order(const std::array<std::array<Coefficient, S>, S>& a
 }
 
 /// The order of the values between steps: b_j(theta) = sum_k dense[j][k] theta^(k+1) must meet b(theta) .
-/// Phi(tree) = theta^order / gamma power by power, and be b at theta = 1.
-template <class Method>
-constexpr int algebraic_dense_order(const Method& m, int highest) {
-  using Weights = std::remove_cvref_t<decltype(m.b)>;
+/// Phi(tree) = theta^order / gamma power by power, and be b at theta = 1. `Total` stages: those of the step,
+/// and those that only values between steps need where there are some.
+template <std::size_t Total, class Method>
+constexpr int dense_order_of(const Method& m, int highest) {
+  using Weights = std::array<Coefficient, Total>;
   constexpr std::size_t degree = std::tuple_size_v<std::remove_cvref_t<decltype(m.dense[0])>>;
-  for (std::size_t j = 0; j < Method::stages; ++j) {
-    Coefficient gap = -m.b[j], size = 1;
+  std::array<Weights, Total> a{};
+  for (std::size_t i = 0; i < Total; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      a[i][j] = i >= Method::stages ? m.a_dense[i - Method::stages][j] : m.a[i][j];
+  for (std::size_t j = 0; j < Total; ++j) {
+    Coefficient gap = j < Method::stages ? -m.b[j] : 0, size = 1;
     for (const Coefficient part : m.dense[j]) gap += part, size += part < 0 ? -part : part;
     if (!(gap <= 1e-18L * size && gap >= -1e-18L * size)) return 0;
   }
   for (int order = 1; order <= highest; ++order) {
     auto tree = RootedTree::tallest(order);
     do {
-      const Coefficient minus_inverse_gamma = TreeResidual<Method::stages>(m.a, Weights{}, tree).residual;
+      const Coefficient minus_inverse_gamma = TreeResidual<Total>(a, Weights{}, tree).residual;
       for (std::size_t k = 0; k < degree; ++k) {
         Weights column{};
-        for (std::size_t j = 0; j < Method::stages; ++j) column[j] = m.dense[j][k];
-        TreeResidual<Method::stages> power(m.a, column, tree);
+        for (std::size_t j = 0; j < Total; ++j) column[j] = m.dense[j][k];
+        TreeResidual<Total> power(a, column, tree);
         if (int(k) + 1 != order) power.residual -= minus_inverse_gamma;
         if (!power.vanishes()) return order - 1;
       }
     } while (tree.advance());
   }
   return highest;
+}
+template <class Method>
+constexpr int algebraic_dense_order(const Method& m, int highest) {
+  constexpr std::size_t most = std::tuple_size_v<std::remove_cvref_t<decltype(m.dense)>>;
+  return m.dense_stages == 0 ? dense_order_of<Method::stages>(m, highest) : dense_order_of<most>(m, highest);
 }
 template <class Method>
 constexpr bool dense_order_holds(const Method& m) {

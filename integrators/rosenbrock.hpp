@@ -18,13 +18,16 @@ template <std::size_t Stages>
 struct Rosenbrock {
   static constexpr std::string_view kind_name = "Rosenbrock";
   static constexpr unsigned needs = 0;
+  static constexpr bool solves_equations = true;
   static constexpr std::size_t stages = Stages;
 
   std::string_view id, source, advice;
   std::string_view note = "";
   int order;
   int embedded_order = 0;
-  bool w_method = false;  // keeps its order whatever matrix stands for the Jacobian
+  bool propagates_lower = false;  // embedded_order is order + 1
+  bool jumps_over_poles = false;  // see AnyMethod
+  bool w_method = false;          // keeps its order whatever matrix stands for the Jacobian
   std::array<std::array<Coefficient, Stages>, Stages> alpha{}, gamma{};
   std::array<Coefficient, Stages> b{}, b_embedded{};
 
@@ -39,7 +42,7 @@ struct Rosenbrock {
     for (std::size_t i = 0; i < Stages; ++i)
       for (std::size_t j = 0; j < Stages; ++j)
         size += std::abs(b[i] * alpha[i][j]) + std::abs(b[i] * gamma[i][j]);
-    theory.rounding_amplification = cancellation(size);
+    theory.rounding_amplification = std::max<Coefficient>(1, size);
     theory.tableau.a.clear();
     for (const auto& row : alpha) theory.tableau.a.insert(theory.tableau.a.end(), row.begin(), row.end());
     for (const auto& row : gamma)

@@ -41,6 +41,9 @@ struct Splitting {
       if (drift[i] != 0) theory.moves.push_back({SecondOrderMove::What::drift, drift[i]});
       if (kick[i] != 0) theory.moves.push_back({SecondOrderMove::What::kick, kick[i]});
     }
+    theory.proof = [m = *this] {
+      return ProvedOrders{splitting_order(m, m.order + 1), 0, separable_order(m, m.order + 1)};
+    };
     return theory;
   }
 
@@ -137,3 +140,5 @@ class SplittingStepper {
 };
 
 }  // namespace odemark
+
+#include "integrators/splitting_order.hpp"

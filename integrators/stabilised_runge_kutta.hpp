@@ -15,6 +15,7 @@ class NamedStabilisedStepper;
 struct StabilisedRungeKutta {
   static constexpr std::string_view kind_name = "stabilised Runge-Kutta";
   static constexpr unsigned needs = 0;
+  static constexpr bool compiled_apart = true;  // its polynomials: for real numbers only
   /// A step on a linear problem is no fixed matrix: the stages depend on the spectral radius as it is
   /// estimated.
   static constexpr bool has_transition = false;
@@ -27,6 +28,8 @@ struct StabilisedRungeKutta {
   Theory theory() const {
     Theory theory;
     theory.blank_reason = "R(z) depends on the number of stages, which is chosen at every step";
+    theory.most_stages = stage_cap(family, Coefficient(std::numeric_limits<double>::epsilon()) / 2);
+    theory.internal_amplification = odemark::internal_amplification(family, theory.most_stages);
     return theory;
   }
   /// R(z) where the number of stages is given, as coefficients of z^k.

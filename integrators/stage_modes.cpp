@@ -1,6 +1,5 @@
 #include "integrators/stage_modes.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -86,9 +85,13 @@ Vector eigenvector(std::size_t n, const Coefficient* a, const Complex& value, bo
 
 StageModes stage_modes(std::size_t size, const Coefficient* a) {
   StageModes modes;
-  Vector values = roots(size, characteristic(size, a));
+  const Vector found = roots(size, characteristic(size, a));
   const auto is_real = [](const Complex& x) { return std::abs(x.im) < 1e-9L; };
-  std::stable_partition(values.begin(), values.begin() + std::ptrdiff_t(size), is_real);
+  Vector values{};  // the real ones first; std::stable_partition would take memory from the heap
+  std::size_t placed = 0;
+  for (const bool real : {true, false})
+    for (std::size_t i = 0; i < size; ++i)
+      if (is_real(found[i]) == real) values[placed++] = found[i];
   for (std::size_t i = 0; i < size; ++i) {
     Complex value = values[i];
     if (is_real(value))

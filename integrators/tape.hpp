@@ -1,8 +1,6 @@
-// A right-hand side written down as a list of operations, and its Taylor coefficients computed from that
-// list.
+// A right-hand side written down as a list of operations.
 #pragma once
 
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -10,8 +8,9 @@
 
 namespace odemark {
 
-/// What one entry of a tape does with the entries before it. `sin` and `cos` come in pairs: each needs the
-/// other.
+/// What one entry of a tape does with the entries before it. Some need a second series beside that of their
+/// argument, which `right` names: sines and cosines, also hyperbolic ones, come in pairs; a hyperbolic
+/// tangent needs its own square, an arc tangent 1 + x^2.
 enum class TapeOp {
   constant,
   time,
@@ -26,6 +25,11 @@ enum class TapeOp {
   logarithm,
   sine,
   cosine,
+  hyperbolic_sine,
+  hyperbolic_cosine,
+  hyperbolic_tangent,
+  arc_tangent,
+  power,
   absolute
 };
 
@@ -33,7 +37,7 @@ template <class T>
 struct TapeEntry {
   TapeOp op;
   std::size_t left = 0, right = 0;  // entries; for `state` left is the component
-  T value{};                        // for `constant`
+  T value{};                        // for `constant`; the exponent of a `power`
 };
 
 /// Straight-line code for dy/dt = f(t, y) with constants of type T: no branches, so valid for every t and y.
@@ -102,11 +106,41 @@ class Recorded {
   }
   friend Recorded sin(const Recorded& x) {
     using std::sin;
-    return trigonometric(x, x.is_constant() ? T(sin(x.value_)) : T(0), false);
+    return x.is_constant() ? Recorded(T(sin(x.value_))) : pair(x, TapeOp::sine, TapeOp::cosine, 0);
   }
   friend Recorded cos(const Recorded& x) {
     using std::cos;
-    return trigonometric(x, x.is_constant() ? T(cos(x.value_)) : T(0), true);
+    return x.is_constant() ? Recorded(T(cos(x.value_))) : pair(x, TapeOp::sine, TapeOp::cosine, 1);
+  }
+  friend Recorded sinh(const Recorded& x) {
+    using std::sinh;
+    return x.is_constant() ? Recorded(T(sinh(x.value_)))
+                           : pair(x, TapeOp::hyperbolic_sine, TapeOp::hyperbolic_cosine, 0);
+  }
+  friend Recorded cosh(const Recorded& x) {
+    using std::cosh;
+    return x.is_constant() ? Recorded(T(cosh(x.value_)))
+                           : pair(x, TapeOp::hyperbolic_sine, TapeOp::hyperbolic_cosine, 1);
+  }
+  friend Recorded tanh(const Recorded& x) {
+    using std::tanh;
+    if (x.is_constant()) return Recorded(T(tanh(x.value_)));
+    const std::size_t own = x.tape_->push(TapeOp::hyperbolic_tangent, x.entry_, x.tape_->entries.size() + 1);
+    x.tape_->push(TapeOp::multiply, own, own);
+    return {*x.tape_, own};
+  }
+  friend Recorded atan(const Recorded& x) {
+    using std::atan;
+    if (x.is_constant()) return Recorded(T(atan(x.value_)));
+    const Recorded slope_below = T(1) + x * x;
+    return {*x.tape_, x.tape_->push(TapeOp::arc_tangent, x.entry_, slope_below.entry_)};
+  }
+  /// x^p for a constant p and x > 0; a negative x only where it is a constant.
+  friend Recorded pow(const Recorded& x, const Recorded& p) {
+    using std::pow;
+    if (!p.is_constant()) return exp(p * log(x));
+    if (x.is_constant()) return Recorded(T(pow(x.value_, p.value_)));
+    return {*x.tape_, x.tape_->push(TapeOp::power, x.entry_, 0, p.value_)};
   }
 
  private:
@@ -120,11 +154,11 @@ class Recorded {
     if (!x.tape_) return folded;
     return {*x.tape_, x.tape_->push(op, x.entry_)};
   }
-  static Recorded trigonometric(const Recorded& x, const T& folded, bool cosine) {
-    if (!x.tape_) return folded;
-    const std::size_t s = x.tape_->push(TapeOp::sine, x.entry_, x.tape_->entries.size() + 1);
-    x.tape_->push(TapeOp::cosine, x.entry_, s);
-    return {*x.tape_, s + (cosine ? 1 : 0)};
+  /// Two functions that are each other's derivative but for signs; the one that is wanted.
+  static Recorded pair(const Recorded& x, TapeOp first, TapeOp second, std::size_t wanted) {
+    const std::size_t at = x.tape_->push(first, x.entry_, x.tape_->entries.size() + 1);
+    x.tape_->push(second, x.entry_, at);
+    return {*x.tape_, at + wanted};
   }
 
   T value_{};
@@ -165,109 +199,5 @@ bool reads_time(const Tape<T>& tape) {
     if (reads[output]) return true;
   return false;
 }
-
-/// Taylor coefficients of the solution of y' = f(t, y) through (t, y), order by order: coefficient k of every
-/// entry needs only coefficients up to k (A. Griewank, A. Walther, Evaluating Derivatives, 2nd ed. (SIAM,
-/// 2008), ch. 13). Cost grows with the square of the order. Everything is allocated in the constructor.
-template <class T>
-class TaylorSeries {
- public:
-  TaylorSeries(const Tape<T>& tape, std::size_t size, int highest_order)
-      : tape_(tape),
-        order_(highest_order),
-        stride_(std::size_t(highest_order) + 1),
-        rows_(tape.entries.size() * stride_, T(0)),
-        state_(size * stride_, T(0)) {}
-
-  /// Fills coefficients 0 .. order; coefficient k of component i is y^(k)/k!.
-  void expand(const T& t, const T* y, int order) {
-    assert(order <= order_);
-    const std::size_t size = state_.size() / stride_;
-    for (std::size_t i = 0; i < size; ++i) state_[i * stride_] = y[i];
-    time_ = t;
-    for (int k = 0; k < order; ++k) {
-      for (std::size_t e = 0; e < tape_.entries.size(); ++e) fill(e, std::size_t(k));
-      for (std::size_t i = 0; i < size; ++i)
-        state_[i * stride_ + std::size_t(k) + 1] = row(tape_.outputs[i])[k] / T(k + 1);
-    }
-  }
-  const T& coefficient(std::size_t component, int k) const {
-    return state_[component * stride_ + std::size_t(k)];
-  }
-  /// Of an entry of the tape; known up to one order less than the state.
-  const T& entry_coefficient(std::size_t entry, int k) const {
-    return rows_[entry * stride_ + std::size_t(k)];
-  }
-
- private:
-  T* row(std::size_t entry) { return &rows_[entry * stride_]; }
-
-  /// Coefficient k of entry e from coefficients 0..k of its operands and 0..k-1 of its own.
-  void fill(std::size_t e, std::size_t k) {
-    using std::cos, std::exp, std::log, std::sin, std::sqrt;
-    const TapeEntry<T>& entry = tape_.entries[e];
-    T* out = row(e);
-    const T* a = row(entry.left);
-    const T* b = row(entry.right);
-    switch (entry.op) {
-      case TapeOp::constant: out[k] = k == 0 ? entry.value : T(0); break;
-      case TapeOp::time: out[k] = k == 0 ? time_ : T(k == 1 ? 1 : 0); break;
-      case TapeOp::state: out[k] = state_[entry.left * stride_ + k]; break;
-      case TapeOp::add: out[k] = a[k] + b[k]; break;
-      case TapeOp::subtract: out[k] = a[k] - b[k]; break;
-      case TapeOp::negate: out[k] = -a[k]; break;
-      case TapeOp::multiply: {
-        T sum = a[0] * b[k];
-        for (std::size_t j = 1; j <= k; ++j) sum += a[j] * b[k - j];
-        out[k] = sum;
-        break;
-      }
-      case TapeOp::divide: {
-        T sum = a[k];
-        for (std::size_t j = 1; j <= k; ++j) sum -= b[j] * out[k - j];
-        out[k] = sum / b[0];
-        break;
-      }
-      case TapeOp::square_root: {
-        if (k == 0) {
-          out[0] = sqrt(a[0]);
-          break;
-        }
-        T sum = a[k];
-        for (std::size_t j = 1; j < k; ++j) sum -= out[j] * out[k - j];
-        out[k] = sum / (2 * out[0]);
-        break;
-      }
-      case TapeOp::exponential: out[k] = k == 0 ? T(exp(a[0])) : weighted(a, out, k) / T(int(k)); break;
-      case TapeOp::logarithm: {
-        if (k == 0) {
-          out[0] = log(a[0]);
-          break;
-        }
-        T sum = T(int(k)) * a[k];
-        for (std::size_t j = 1; j < k; ++j) sum -= T(int(j)) * out[j] * a[k - j];
-        out[k] = sum / (T(int(k)) * a[0]);
-        break;
-      }
-      case TapeOp::sine: out[k] = k == 0 ? T(sin(a[0])) : weighted(a, row(entry.right), k) / T(int(k)); break;
-      case TapeOp::cosine:
-        out[k] = k == 0 ? T(cos(a[0])) : -weighted(a, row(entry.right), k) / T(int(k));
-        break;
-      case TapeOp::absolute: out[k] = a[0] < 0 ? T(-a[k]) : a[k]; break;
-    }
-  }
-  /// sum_{j=1..k} j a_j b_{k-j}: the recurrence of exp, sin and cos.
-  static T weighted(const T* a, const T* b, std::size_t k) {
-    T sum = a[1] * b[k - 1];
-    for (std::size_t j = 2; j <= k; ++j) sum += T(int(j)) * a[j] * b[k - j];
-    return sum;
-  }
-
-  const Tape<T>& tape_;
-  int order_;
-  std::size_t stride_;
-  std::vector<T> rows_, state_;
-  T time_{};
-};
 
 }  // namespace odemark

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "integrators/compensated.hpp"
-#include "integrators/tape.hpp"
+#include "integrators/taylor_series.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {

@@ -61,7 +61,26 @@ Polynomial explicit_polynomial(const Tableau& t) {
   return polynomial;
 }
 
+/// The real eigenvalue of a matrix that has only one and it is positive: 1 / x for the root x of det(I - x
+/// A), by bisection.
+Coefficient real_eigenvalue(const Polynomial& determinant) {
+  Coefficient low = 0, high = 64;
+  for (int i = 0; i < 128; ++i) {
+    const Coefficient middle = (low + high) / 2;
+    Coefficient value = 0;
+    for (std::size_t k = determinant.size(); k-- > 0;) value = value * middle + determinant[k];
+    (value > 0 ? low : high) = middle;
+  }
+  return 1 / low;
+}
+
 }  // namespace
+
+Coefficient sum_of_magnitudes(std::span<const Coefficient> weights) {
+  Coefficient sum = 0;
+  for (const Coefficient w : weights) sum += std::abs(w);
+  return sum;
+}
 
 std::vector<Coefficient> as_data(std::span<const Coefficient> row) { return {row.begin(), row.end()}; }
 
@@ -80,6 +99,21 @@ Theory runge_kutta_theory(Tableau tableau) {
   }
   theory.tableau = std::move(tableau);
   return theory;
+}
+
+void compare_with_start(Theory& theory) {
+  Tableau& t = theory.tableau;
+  const Coefficient gamma = real_eigenvalue(theory.denominator);
+  theory.estimate_filter = t.embedded_start = gamma;
+  std::vector<Coefficient> nodes(t.stages, 0);
+  for (std::size_t i = 0; i < t.stages; ++i)
+    for (std::size_t j = 0; j < t.stages; ++j) nodes[i] += t.a[i * t.stages + j];
+  for (std::size_t i = 0; i < t.stages; ++i) {
+    Coefficient at_start = 1;
+    for (std::size_t m = 0; m < t.stages; ++m)
+      if (m != i) at_start *= -nodes[m] / (nodes[i] - nodes[m]);
+    t.b_embedded.push_back(t.b[i] - gamma * at_start);
+  }
 }
 
 Theory nystrom_theory(NystromTableau t) {

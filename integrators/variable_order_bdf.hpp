@@ -12,6 +12,7 @@ namespace odemark {
 struct VariableOrderBdf {
   static constexpr std::string_view kind_name = "variable-order BDF";
   static constexpr unsigned needs = 0;
+  static constexpr bool solves_equations = true;
   static constexpr bool takes_fixed_steps = false;
 
   std::string_view id, source;

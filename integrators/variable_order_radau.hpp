@@ -14,6 +14,7 @@ class VariableOrderRadauStepper;
 struct VariableOrderRadau {
   static constexpr std::string_view kind_name = "variable-order Radau IIA";
   static constexpr unsigned needs = 0;
+  static constexpr bool solves_equations = true;
   static constexpr bool takes_fixed_steps = false;
 
   std::string_view id, source;
@@ -77,8 +78,8 @@ class VariableOrderRadauStepper {
     if (!(norm <= 1)) return factor;
     if (active_ > 0 && (failed_ || !(theta < Real(0.8)))) {
       change_order(active_ - 1);
-    } else if (active_ < 2 && steps_at_order_ >= 10 && theta <= Real(0.002) && factor > Real(0.8) &&
-               factor < Real(1.2)) {
+    } else if (active_ < 2 && steps_at_order_ >= 10 && theta > 0 && theta <= Real(0.002) &&
+               factor > Real(0.8) && factor < Real(1.2)) {  // 0: one iteration tells no rate
       change_order(active_ + 1);
     }
     failed_ = false;

@@ -28,7 +28,8 @@ struct Dahlquist {
       Preset{"dahlquist_rotation", "lambda_re=0,lambda_im=1",
              "on the imaginary axis: nothing may grow or fade"},
       Preset{"dahlquist_spiral", "lambda_re=-0.125,lambda_im=1", "a damped oscillation"},
-      Preset{"dahlquist_stiff", "lambda_re=-1000,t_end=1", "the transient is over after a few milliseconds"}};
+      Preset{"dahlquist_stiff", "lambda_re=-1000,t_end=1", "the transient is over after a few milliseconds"},
+      Preset{"dahlquist_detest_a1", "t_end=20", "DETEST A1: the same decay for longer"}};
 
   std::array<double, size> scale() const { return {1, 1}; }
   double suggested_dt() const {

@@ -19,6 +19,8 @@ struct DragShipQuadratic {
       "here in SI units and with the propeller put into reverse";
   static constexpr std::size_t size = 2;
   static constexpr std::array<Component, size> components{{{"s", "m"}, {"v", "m/s"}}};
+  static constexpr std::array<std::string_view, 2> events{"stands still, was going ahead",
+                                                          "stands still, was going astern"};
   static constexpr bool force_depends_on_velocity = true;
 
   Real thrust = 1000000, c = 25000, m = 5000000, t_reverse = 60, s0 = 0, v0 = 0, t_end = 120;
@@ -59,6 +61,12 @@ struct DragShipQuadratic {
     return held;
   }
 
+  /// Where v|v| has its kink. Nothing else happens there.
+  template <class T>
+  void event_values(const T&, const T* y, T* value) const {
+    value[0] = y[1], value[1] = -y[1];
+  }
+
   template <class T>
   void initial(T* y) const {
     y[0] = T(s0), y[1] = T(v0);
@@ -84,17 +92,21 @@ struct DragShipQuadratic {
   /// The exact flow for t >= 0: y0 is the state at t = 0.
   template <class T>
   void exact(const T& t, const T* y0, T* y) const {
+    exact(t, y0, y, [](std::size_t, const T&) {});
+  }
+  template <class T, class Visit>
+  void exact(const T& t, const T* y0, T* y, Visit&& visit) const {
     const T ahead = std::clamp(T(t_reverse), T(0), t);
     y[0] = y0[0], y[1] = y0[1];
-    push(T(thrust), ahead, y);
-    push(T(-thrust), T(t - ahead), y);
+    push(T(thrust), ahead, y, [&](const T& after) { visit(thrust < 0 ? 0 : 1, after); });
+    push(T(-thrust), T(t - ahead), y, [&](const T& after) { visit(thrust < 0 ? 1 : 0, T(ahead + after)); });
   }
 
  private:
   /// Advances y by the time t under a constant force. In units of the limiting speed r' = 1 - r|r|: a tangent
   /// until the ship stands still, a hyperbolic tangent after.
-  template <class T>
-  void push(const T& force, T t, T* y) const {
+  template <class T, class Visit>
+  void push(const T& force, T t, T* y, Visit&& visit) const {
     using std::abs, std::atan, std::cos, std::expm1, std::log1p, std::sin, std::sinh, std::sqrt, std::tanh;
     const T length = T(m) / T(c);
     if (force == 0) {
@@ -113,6 +125,7 @@ struct DragShipQuadratic {
       r = t < standstill ? T((r * co + si) / (co - r * si)) : T(0);
       y[1] = limit * r;
       if (t <= standstill) return;
+      visit(standstill);
       t -= standstill;
     }
     const T u = rate * t, th = tanh(u);

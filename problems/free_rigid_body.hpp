@@ -18,7 +18,8 @@ struct FreeRigidBody {
       "w1' = (I2 - I3)/I1 w2 w3;  w2' = (I3 - I1)/I2 w3 w1;  w3' = (I1 - I2)/I3 w1 w2;  q' = q (0, w)/2";
   static constexpr std::string_view source =
       "L. D. Landau, E. M. Lifshitz, Mechanics, 3rd ed. (Pergamon, 1976), 36-37; "
-      "R. van Zon, J. Schofield, J. Comput. Phys. 225 (2007) 145-164, doi:10.1016/j.jcp.2006.11.019";
+      "R. van Zon, J. Schofield, J. Comput. Phys. 225 (2007) 145-164, doi:10.1016/j.jcp.2006.11.019; D. G. "
+      "Murri, E. B. Jackson, R. O. Shelton, NASA/TM-2015-218675 (2015), case 2";
   static constexpr std::size_t size = 7;
   static constexpr std::array<Component, size> components{
       {{"w1", "rad/s"}, {"w2", "rad/s"}, {"w3", "rad/s"}, {"q0", ""}, {"q1", ""}, {"q2", ""}, {"q3", ""}}};
@@ -43,7 +44,13 @@ struct FreeRigidBody {
              "a box of 12 kg, 1 x 2 x 3 m, spun about its intermediate axis: it flips"},
       Preset{"free_rigid_body_tumbling", "w1=1,w2=1,w3=1", "no axis preferred"},
       Preset{"free_rigid_body_long_axis", "w1=0.125,w2=0.125,w3=4", "a fast stable spin that wobbles"},
-      Preset{"free_rigid_body_symmetric", "I1=10,w1=0.5,w2=0,w3=4", "a symmetric top: regular precession"}};
+      Preset{"free_rigid_body_symmetric", "I1=10,w1=0.5,w2=0,w3=4", "a symmetric top: regular precession"},
+      Preset{"free_rigid_body_dzhanibekov", "I1=1,I2=2,I3=3,w1=1/1024,w2=1,w3=1/1024,t_end=100",
+             "left to itself about the intermediate axis: it flips every 28 s, for ever"},
+      Preset{"free_rigid_body_nesc_brick",
+             "I1=0.00189422,I2=0.006211019,I3=0.007194665,w1=0.17453292519943295,w2=0.3490658503988659,"
+             "w3=0.5235987755982988,t_end=30",
+             "moments in the ratio of NASA's tumbling brick, at 10, 20 and 30 degrees per second"}};
 
   std::string validate() const {
     return I1 > I2 + I3 || I2 > I3 + I1 || I3 > I1 + I2

@@ -34,11 +34,18 @@ struct Kepler {
         P{"t_end", "s", "end of the interval", &Kepler::t_end, positive}};
   }
   static constexpr std::array presets{
-      Preset{"kepler_e00", "e=0", "a circle"}, Preset{"kepler_e02", "e=0.2", "a mild ellipse"},
+      Preset{"kepler_e00", "e=0", "a circle"},
+      Preset{"kepler_e02", "e=0.2", "a mild ellipse"},
       Preset{"kepler_e05", "e=0.5,t_end=63",
              "ten revolutions: errors of the period add up, for cost against error"},
       Preset{"kepler_e06", "e=0.6", "speeds 4 to 1; the end is no multiple of the period, 2 pi"},
-      Preset{"kepler_e09", "e=0.9", "speeds 19 to 1: fixed steps waste most of their work"}};
+      Preset{"kepler_e09", "e=0.9", "speeds 19 to 1: fixed steps waste most of their work"},
+      Preset{"kepler_e099", "e=0.9921875", "speeds 255 to 1, e = 127/128: nearly a fall into the centre"},
+      Preset{"kepler_detest_d1", "e=0.1,t_end=20", "DETEST D1"},
+      Preset{"kepler_detest_d2", "e=0.3,t_end=20", "DETEST D2"},
+      Preset{"kepler_detest_d3", "e=0.5,t_end=20", "DETEST D3"},
+      Preset{"kepler_detest_d4", "e=0.7,t_end=20", "DETEST D4"},
+      Preset{"kepler_detest_d5", "e=0.9,t_end=20", "DETEST D5: steps over three decades"}};
 
   std::array<double, size> scale() const {
     const double v = std::sqrt(double(mu));

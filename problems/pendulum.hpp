@@ -33,7 +33,9 @@ struct Pendulum {
       Preset{"pendulum", "", "released at 90 degrees (to a dyadic number, as below)"},
       Preset{"pendulum_170", "theta0=2.96875,t_end=10.5", "released at 170 degrees"},
       Preset{"pendulum_near_separatrix", "theta0=3.139892578125,t_end=20", "released at 179.9 degrees"},
-      Preset{"pendulum_rotating", "theta0=0,omega0=7", "fast enough to turn over and over"}};
+      Preset{"pendulum_rotating", "theta0=0,omega0=7", "fast enough to turn over and over"},
+      Preset{"pendulum_just_over", "theta0=0,omega0=6.265625",
+             "the separatrix is at 6.265: it creeps over the top again and again"}};
 
   std::array<double, size> scale() const { return {1, std::sqrt(double(g) / double(length))}; }
   double suggested_dt() const { return 0.05 / std::sqrt(double(g) / double(length)); }

@@ -34,7 +34,10 @@ struct VanDerPol {
       Preset{"van_der_pol_mu5", "mu=5,t_end=20", "relaxation begins; period 11.6"},
       Preset{"van_der_pol_mu10", "mu=10,t_end=25", "mildly stiff; period 19.1"},
       Preset{"van_der_pol_mu100", "mu=100,t_end=200", "stiff; period 163"},
-      Preset{"van_der_pol_mu1000", "mu=1000,t_end=2000", "the stiff test of the literature; period 1614"}};
+      Preset{"van_der_pol_mu1000", "mu=1000,t_end=2000", "the stiff test of the literature; period 1614"},
+      Preset{"van_der_pol_mu1e6", "mu=1e6,t_end=2e6",
+             "past the first jump, which takes a millionth of the way"},
+      Preset{"van_der_pol_detest_e2", "mu=1,t_end=20", "DETEST E2: three periods"}};
 
   std::array<double, size> scale() const { return {2, std::max(2.0, 1.5 * double(mu))}; }
   double suggested_dt() const { return 0.05 / std::max(1.0, 3 * double(mu)); }

@@ -11,6 +11,15 @@ std::vector<std::string> problem_ids(const std::vector<AnyFamily>& families) {
   return ids;
 }
 
+void name_problem(AnyProblem& problem, const Preset& preset, const std::vector<Setting>& user) {
+  problem.preset = std::string(preset.id);
+  problem.customised = !user.empty();
+  problem.id = problem.preset + (user.empty() ? "" : "{" + to_string(user) + "}");
+  problem.preset_settings = std::string(preset.settings);
+  problem.user_settings = to_string(user);
+  problem.about = preset.about;
+}
+
 AnyProblem find_problem(const std::vector<AnyFamily>& families, std::string_view id,
                         std::string_view settings) {
   const auto user = parse_settings(settings);

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "integrators/erased_system.hpp"
+#include "integrators/integrate_events.hpp"
 #include "problems/family.hpp"
 #include "reference/settings.hpp"
 
@@ -33,24 +33,35 @@ struct AnyProblem {
   double t_begin = 0, t_end = 0, suggested_dt = 0;
   std::vector<double> initial, scale;
   std::vector<double> switch_times;  // where the right-hand side jumps
+  std::vector<std::string_view> event_names;
   std::vector<std::string_view> invariant_names;
   unsigned abilities = 0;
   bool has_exact = false, has_written_jacobian = false;
 
   std::shared_ptr<const void> value;  // the Family<double>
   std::tuple<ErasedSystem<float>, ErasedSystem<double>, ErasedSystem<long double>> systems;
+  std::tuple<Pieces<float>, Pieces<double>, Pieces<long double>> pieces_by_type;
   void (*invariants_call)(const void*, const long double* y, long double* out) = nullptr;
   Oscillation (*oscillation_call)(const void*, const double* y) = nullptr;
   /// Linear families: the same problem with every drive removed, so that 0 is a fixed point.
   std::shared_ptr<const AnyProblem> homogeneous;
 
   std::size_t size() const { return components.size(); }
+  /// One smooth piece: nothing switches and nothing happens.
+  bool smooth() const { return switch_times.empty() && event_names.empty(); }
   /// Valid as long as this problem or a copy of it lives. T is float, double or long double.
   template <class T>
   const ErasedSystem<T>& system() const {
     return std::get<ErasedSystem<T>>(systems);
   }
+  template <class T>
+  const Pieces<T>& pieces() const {
+    return std::get<Pieces<T>>(pieces_by_type);
+  }
 };
+
+/// Fills in which preset this is and what the user changed.
+void name_problem(AnyProblem& problem, const Preset& preset, const std::vector<Setting>& user);
 
 /// A family whose type is gone.
 struct AnyFamily {
@@ -58,7 +69,7 @@ struct AnyFamily {
   std::vector<Component> components;
   std::vector<Preset> presets;
   std::vector<ParameterInfo> parameters;  // defaults of the first preset, then shorthands
-  std::vector<std::string_view> invariant_names;
+  std::vector<std::string_view> invariant_names, event_names;
   unsigned abilities = 0;
   bool has_exact = false;
   /// Throws BadInput for an unknown parameter or a value out of range.

@@ -27,6 +27,22 @@ concept HasExact = requires(const F& f, long double t, const long double* y0, lo
   f.exact(t, y0, y);
 };
 
+/// The right-hand side jumps at given times.
+template <class F>
+concept HasSwitches = requires(const F& f) {
+  f.switch_times();
+};
+/// The state decides when something happens.
+template <class F>
+concept HasEvents = requires(const F& f, double t, const double* y, double* g) {
+  F::events;
+  f.event_values(t, y, g);
+};
+/// And then the state or the phase changes.
+template <class F>
+concept HasJumps = HasEvents<F> && requires(const F& f, double t, double* y) {
+  f.after_event(std::size_t(0), t, y);
+};
 template <class F>
 concept HasRotation = requires(const F& f, double t, const double* y, double* out) {
   f.inertia(out);
@@ -46,7 +62,7 @@ constexpr unsigned abilities_of() {
     abilities |= Ability::rotation;
   }
   // a right-hand side that switches at given times is no single piece of straight-line code
-  if constexpr (requires(const F& f) { f.switch_times(); }) abilities &= ~unsigned(Ability::recordable);
+  if constexpr (HasSwitches<F>) abilities &= ~unsigned(Ability::recordable);
   return abilities;
 }
 
@@ -75,7 +91,7 @@ void dual_time_derivative(const F& family, T t, const T* y, T* dfdt) {
 /// Known not to depend on t: what can be recorded has no branches, so one recording tells for all times.
 template <class F>
 bool is_autonomous_family() {
-  if constexpr (requires(const F& f) { f.switch_times(); }) {
+  if constexpr (HasSwitches<F>) {
     return false;
   } else {
     static const bool known = [] {
@@ -128,32 +144,78 @@ ErasedSystem<T> erase(const F& family) {
   return s;
 }
 
+/// The family held in each of its phases; nothing where it has only one.
+template <class F>
+std::vector<F> phases_of(const F& family) {
+  std::vector<F> phases;
+  std::size_t count = 0;
+  if constexpr (HasSwitches<F>) {
+    static_assert(!HasJumps<F>, "give a switch by the clock as an event too, where events jump");
+    count = family.switch_times().size() + 1;
+  } else if constexpr (requires { F::phase_count; }) {
+    count = F::phase_count;
+  }
+  if constexpr (requires { family.during(std::size_t(0)); })
+    for (std::size_t phase = 0; phase < count; ++phase) phases.push_back(family.during(phase));
+  return phases;
+}
+
+/// `phases` are what phases_of gave, `family` stands in where there are none. Both must outlive the view.
+template <class T, class F>
+Pieces<T> pieces_of(const F& family, const std::vector<F>& phases) {
+  Pieces<T> pieces;
+  for (const F& phase : phases) pieces.phases.push_back(erase<T>(phase)), pieces.values.push_back(&phase);
+  if (phases.empty()) pieces.phases.push_back(erase<T>(family)), pieces.values.push_back(&family);
+  if constexpr (HasSwitches<F>) {
+    const auto times = family.switch_times();
+    pieces.switch_times.assign(times.begin(), times.end());
+  }
+  if constexpr (HasEvents<F>) {
+    pieces.events = F::events.size();
+    pieces.values_call = [](const void* p, T t, const T* y, T* g) {
+      static_cast<const F*>(p)->event_values(t, y, g);
+    };
+  }
+  if constexpr (HasJumps<F>) {
+    pieces.jumps = true;
+    pieces.after_call = [](const void* p, std::size_t event, T t, T* y, std::size_t phase) {
+      const F& now = *static_cast<const F*>(p);
+      if constexpr (std::is_void_v<decltype(now.after_event(event, t, y))>)
+        now.after_event(event, t, y);
+      else
+        phase = now.after_event(event, t, y);
+      return phase;
+    };
+  }
+  return pieces;
+}
+
 template <class F>
 AnyProblem make_problem(const F& values, const Preset& preset, const std::vector<Setting>& user) {
   AnyProblem problem;
-  problem.preset = std::string(preset.id);
-  problem.customised = !user.empty();
-  problem.id = problem.preset + (user.empty() ? "" : "{" + to_string(user) + "}");
-  problem.preset_settings = std::string(preset.settings);
-  problem.user_settings = to_string(user);
+  name_problem(problem, preset, user);
   problem.family = F::id, problem.title = F::title, problem.equations = F::equations,
   problem.source = F::source;
-  problem.about = preset.about;
   problem.components.assign(F::components.begin(), F::components.end());
   for (const auto& p : F::parameters())
     problem.parameters.push_back({p.name, p.unit, p.meaning, p.range, values.*p.member, false});
-  const auto owned = std::make_shared<const F>(values);
-  problem.value = owned;
+  struct Held {
+    F value;
+    std::vector<F> phases;
+  };
+  const auto held = std::make_shared<const Held>(Held{values, phases_of(values)});
+  const F* owned = &held->value;
+  problem.value = std::shared_ptr<const void>(held, owned);
   problem.t_end = owned->t_end;
   problem.suggested_dt = owned->suggested_dt();
   problem.initial.resize(F::size);
   owned->initial(problem.initial.data());
   const auto scale = owned->scale();
   problem.scale.assign(scale.begin(), scale.end());
-  if constexpr (requires { owned->switch_times(); }) {
-    const auto times = owned->switch_times();
-    problem.switch_times.assign(times.begin(), times.end());
-  }
+  problem.pieces_by_type = {pieces_of<float>(*owned, held->phases), pieces_of<double>(*owned, held->phases),
+                            pieces_of<long double>(*owned, held->phases)};
+  problem.switch_times = problem.pieces<double>().switch_times;
+  if constexpr (HasEvents<F>) problem.event_names.assign(F::events.begin(), F::events.end());
   if constexpr (requires { F::invariant_names; }) {
     problem.invariant_names.assign(F::invariant_names.begin(), F::invariant_names.end());
     problem.invariants_call = [](const void* p, const long double* y, long double* out) {
@@ -197,6 +259,7 @@ AnyFamily make_family() {
       family.parameters.push_back({s.name, s.unit, s.meaning, s.range, 0, true});
   if constexpr (requires { F::invariant_names; })
     family.invariant_names.assign(F::invariant_names.begin(), F::invariant_names.end());
+  if constexpr (HasEvents<F>) family.event_names.assign(F::events.begin(), F::events.end());
   family.abilities = abilities_of<F>();
   family.has_exact = HasExact<F>;
   family.create = create_problem<F>;

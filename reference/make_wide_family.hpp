@@ -33,14 +33,37 @@ WideProblem make_wide_problem(std::shared_ptr<const F> values) {
     problem.invariants = [](const void* p, const Wide* y, Wide* out) {
       static_cast<const F*>(p)->invariants(y, out);
     };
-  if constexpr (requires { values->switch_times(); }) {
+  if constexpr (HasSwitches<F>)
     for (const auto& t : values->switch_times()) problem.switch_times.emplace_back(t);
-    for (std::size_t phase = 0; phase <= problem.switch_times.size(); ++phase) {
-      const auto held = std::make_shared<const F>(values->during(phase));
-      problem.phases.push_back({held, record<Wide>(*held, F::size)});
-    }
-  } else {
-    problem.phases.push_back({values, record<Wide>(*values, F::size)});
+  for (const F& phase : phases_of(*values)) {
+    const auto held = std::make_shared<const F>(phase);
+    problem.phases.push_back({held, record<Wide>(*held, F::size)});
+  }
+  if (problem.phases.empty()) problem.phases.push_back({values, record<Wide>(*values, F::size)});
+  if constexpr (HasEvents<F>) {
+    problem.events.count = F::events.size();
+    problem.events.look_every = Wide(values->suggested_dt());
+    problem.events.values = [](const void* p, const Wide& t, const Wide* y, Wide* g) {
+      static_cast<const F*>(p)->event_values(t, y, g);
+    };
+    if constexpr (requires(const Wide& t, Wide* y) { values->exact(t, y, y); })
+      problem.exact_events = [](const void* p, const Wide& t, const Wide* y0, std::vector<WideEvent>& found) {
+        Wide y[F::size];
+        static_cast<const F*>(p)->exact(t, y0, y, [&](std::size_t event, const Wide& at) {
+          found.push_back({event, 0, at});
+        });
+      };
+  }
+  if constexpr (HasJumps<F>) {
+    problem.events.jumps = true;
+    problem.events.after = [](const void* p, std::size_t event, const Wide& t, Wide* y, std::size_t phase) {
+      const F& now = *static_cast<const F*>(p);
+      if constexpr (std::is_void_v<decltype(now.after_event(event, t, y))>)
+        now.after_event(event, t, y);
+      else
+        phase = now.after_event(event, t, y);
+      return phase;
+    };
   }
   problem.value = values;
   return problem;

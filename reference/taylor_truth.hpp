@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "integrators/taylor_series.hpp"
 #include "reference/truth_solver.hpp"
 
 namespace odemark {

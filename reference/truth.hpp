@@ -29,6 +29,12 @@ struct TruthPoint {
   double sensitivity = 0;
 };
 
+/// An instant at which the state decided that something happens, and the phase of the problem from then on.
+struct TruthEvent {
+  std::size_t event = 0, phase = 0;
+  TruthValue t;
+};
+
 /// A certificate: both origins agree to the bounds stated. They share the right-hand side and nothing else.
 struct Truth {
   std::string problem;  // AnyProblem::id
@@ -40,6 +46,7 @@ struct Truth {
   double seconds = 0;   // spent to compute it
   int digits = 0;       // of the worst point
   std::vector<TruthPoint> points;  // ascending in t
+  std::vector<TruthEvent> events;  // all up to the last point, in order
 
   const TruthPoint& last() const { return points.back(); }
 };
@@ -74,6 +81,9 @@ Truth certify(const AnyProblem& problem, const std::vector<double>& times,
 
 /// The grid on which truths are stored: t_j = (j * t_end) / 16 in double, j = 1 .. 16; the last is t_end.
 std::vector<double> common_times(const AnyProblem& problem);
+
+/// The stored truth, or null: nothing is computed.
+std::shared_ptr<const Truth> stored_truth_of(const AnyProblem& problem);
 
 /// The truth on the common grid, for inputs rounded to double: stored if the problem is a preset as it was
 /// when the solution was made; else its closed form; else certified now to 25 digits. Computed once; any

@@ -23,20 +23,27 @@ struct Computation {
   TruthOrigin origin;
   std::string name;
   WideTrajectory states;
+  std::vector<WideEvent> events;
   std::vector<Wide> kinks;
+  double look_share = 1;  // two computations look for events at different times
 
   void compute(const std::vector<Wide>& start, const std::vector<Wide>& times, double exponent,
                const std::vector<double>& scale, const std::vector<Wide>& stops, RunBudget& budget) {
     if (origin == TruthOrigin::closed_form) {
       name = "closed form";
-      states = run_closed_form(problem, start, times);
+      take(run_closed_form(problem, start, times));
       return;
     }
+    kinks.clear();
     const auto solver = make_truth_solver(origin, exponent, scale);
     name = solver->name();
-    states = run(*solver, problem, start, times, stops, budget);
-    kinks = solver->kinks();
+    take(run(*solver, problem, start, times, stops, budget, look_share));
+    for (const Wide& kink : solver->kinks())  // met again and again while an event is located
+      if (std::none_of(kinks.begin(), kinks.end(),
+                       [&](const Wide& k) { return abs(k - kink) <= Wide("1e-25") * abs(k); }))
+        kinks.push_back(kink);
   }
+  void take(WideRun&& done) { states = std::move(done.states), events = std::move(done.events); }
 };
 
 /// One ulp of double at y, or of the scale where y is 0.
@@ -54,7 +61,7 @@ void measure_sensitivity(const AnyProblem& problem, const Computation& done, con
       const double at = static_cast<double>(done.problem.initial[i]);
       const double scale = problem.scale[i] > 0 ? problem.scale[i] : 1;
       const double nudge = 1e-10 * std::max(std::abs(at), at == 0 ? scale : 0.0);
-      Computation nudged{done.problem, done.origin, {}, {}, {}};
+      Computation nudged{done.problem, done.origin, {}, {}, {}, {}, 1};
       auto start = done.problem.initial;
       start[i] += Wide(nudge);
       nudged.compute(start, times, -18, problem.scale, {}, budget);
@@ -100,7 +107,7 @@ Truth certify_wide(const AnyProblem& problem, const WideProblem& first, const Wi
   const Workload work = survey(first, times.back(), problem.scale);
   double exponent = -options.digits - 4;
   const auto [one, two] = choose_origins(first, work, exponent, options);
-  Computation a{first, one, {}, {}, {}}, b{second, two, {}, {}, {}};
+  Computation a{first, one, {}, {}, {}, {}, 1}, b{second, two, {}, {}, {}, {}, 0.375};
   Truth truth;
   truth.problem = problem.id, truth.exact_inputs = options.exact_inputs, truth.digits = -1;
   const auto attempt = [&](double at, Clock::time_point until) {
@@ -111,6 +118,7 @@ Truth certify_wide(const AnyProblem& problem, const WideProblem& first, const Wi
     truth.points.clear();
     for (std::size_t p = 0; p < times.size(); ++p)
       truth.points.push_back(compare(times[p], a.states[p], b.states[p], problem.scale));
+    truth.events = compare(a.events, b.events);
     truth.digits = truth.points.front().digits;
     for (const auto& point : truth.points) truth.digits = std::min(truth.digits, point.digits);
   };
@@ -150,7 +158,7 @@ Truth certify_wide(const AnyProblem& problem, const WideProblem& first, const Wi
 Truth unchecked_closed_form(const AnyProblem& problem, const WideProblem& wide,
                             const std::vector<Wide>& times) {
   const auto begin = Clock::now();
-  Computation a{wide, TruthOrigin::closed_form, {}, {}, {}};
+  Computation a{wide, TruthOrigin::closed_form, {}, {}, {}, {}, 1};
   RunBudget budget;
   try {
     a.compute(wide.initial, times, 0, problem.scale, {}, budget);
@@ -160,8 +168,10 @@ Truth unchecked_closed_form(const AnyProblem& problem, const WideProblem& wide,
   Truth truth;
   truth.problem = problem.id, truth.origin = a.name;
   truth.checked_by =
-      "nothing: a second computation would take too long; the formula is checked at the presets";
+      "nothing: no second computation came to its end; the formula is tested against the right-hand side";
   truth.digits = most_digits;
+  for (const auto& event : a.events)
+    truth.events.push_back({event.event, event.phase, truth_value(event.t, Wide("1e-30") * abs(event.t))});
   for (std::size_t p = 0; p < times.size(); ++p) {
     TruthPoint point;
     point.t = static_cast<double>(times[p]);

@@ -81,6 +81,19 @@ TruthPoint compare(const Wide& t, const std::vector<Wide>& a, const std::vector<
   return point;
 }
 
+std::vector<TruthEvent> compare(const std::vector<WideEvent>& a, const std::vector<WideEvent>& b) {
+  if (a.size() != b.size())
+    throw RunFailed("one computation finds " + std::to_string(a.size()) + " events and the other " +
+                    std::to_string(b.size()));
+  std::vector<TruthEvent> events;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].event != b[i].event) throw RunFailed("two computations find events in different order");
+    const Wide own = 10 * abs(a[i].t - b[i].t), least = Wide("1e-45") * abs(a[i].t);
+    events.push_back({a[i].event, b[i].phase, truth_value(a[i].t, own > least ? own : least)});
+  }
+  return events;
+}
+
 std::string certain_digits(const TruthValue& value, int most) {
   const Wide centre(value.decimal), bound(value.bound);
   if (bound == 0 && centre == 0) return "0";

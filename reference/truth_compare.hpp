@@ -11,6 +11,9 @@ namespace odemark {
 /// luck is no agreement), and no less than what wide arithmetic leaves.
 TruthPoint compare(const Wide& t, const std::vector<Wide>& a, const std::vector<Wide>& b,
                    const std::vector<double>& scale);
+/// The events of the first, whose phases may not be known, with bounds by their distance from the second's.
+/// Throws RunFailed where the two found different ones.
+std::vector<TruthEvent> compare(const std::vector<WideEvent>& a, const std::vector<WideEvent>& b);
 /// A value that is known to `bound`.
 TruthValue truth_value(const Wide& value, const Wide& bound);
 /// Reads `hi` and `lo` from the decimal, and the digits from the bound.

@@ -17,16 +17,34 @@ struct WidePhase {
   Tape<Wide> tape;                    // of its rhs
 };
 
+/// What the state decides; see Pieces in integrators/integrate_events.hpp.
+struct WideEvents {
+  std::size_t count = 0;
+  bool jumps = false;
+  Wide look_every;  // no two events cancel within this time
+  void (*values)(const void*, const Wide& t, const Wide* y, Wide* g) = nullptr;  // of a phase's value
+  std::size_t (*after)(const void*, std::size_t event, const Wide& t, Wide* y, std::size_t phase) = nullptr;
+};
+
+/// An event of a solution; `phase` is the one after it.
+struct WideEvent {
+  std::size_t event = 0, phase = 0;
+  Wide t;
+};
+
 struct WideProblem {
   std::size_t size = 0;
   Wide t_end;
   std::vector<Wide> initial, switch_times;
-  std::vector<WidePhase> phases;      // one more than switch times
+  std::vector<WidePhase> phases;  // one more than switch times, or as many as events need
+  WideEvents events;
   std::shared_ptr<const void> value;  // Family<double>, or Family<Wide> for exact inputs
   void (*rhs)(const void*, const Wide& t, const Wide* y, Wide* dydt) = nullptr;  // of a phase's value
   void (*jacobian)(const void*, const Wide& t, const Wide* y, Wide* column_major) = nullptr;  // likewise
   void (*exact)(const void*, const Wide& t, const Wide* y0, Wide* y) = nullptr;  // null: no closed form
-  void (*invariants)(const void*, const Wide* y, Wide* out) = nullptr;           // null: none known
+  /// The events of the closed form up to t; their phases are not told.
+  void (*exact_events)(const void*, const Wide& t, const Wide* y0, std::vector<WideEvent>&) = nullptr;
+  void (*invariants)(const void*, const Wide* y, Wide* out) = nullptr;  // null: none known
 };
 
 struct WideFamily {

@@ -104,6 +104,9 @@ Table rows_table(const std::vector<Row>& rows) {
                                       {"lu", r.work.lu},
                                       {"newton", r.work.newton}})
       sheet.add(name, count);
+    sheet.add("events_found", r.events ? std::to_string(r.events->found) : std::string());
+    sheet.add("events_expected", r.events ? std::to_string(r.events->expected) : std::string());
+    sheet.add("event_time_error", r.events ? r.events->worst_time_error : std::nullopt);
     add_timing(sheet, r.timing);
     for (const auto& name : invariants) {
       const auto at = r.drift.find(name);

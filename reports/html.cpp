@@ -10,6 +10,7 @@
 #include "reports/html_figure.hpp"
 #include "reports/html_style.hpp"
 #include "reports/markup.hpp"
+#include "reports/mathml.hpp"
 
 namespace odemark {
 namespace {
@@ -70,6 +71,9 @@ std::string block_html(const Block& block, Anchors& anchors) {
                              escaped(content.text));
         } else if constexpr (std::is_same_v<Content, Listing>) {
           return fmt::format("<pre tabindex=\"0\">{}</pre>\n", escaped(content.text));
+        } else if constexpr (std::is_same_v<Content, Equations>) {
+          return fmt::format("{}\n<pre tabindex=\"0\">{}</pre>\n", to_mathml(content.text, content.names),
+                             escaped(content.text));
         } else if constexpr (std::is_same_v<Content, Chart>) {
           return figure_html(content, anchors.claim(content.id, "figure"));
         } else {

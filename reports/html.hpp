@@ -25,9 +25,14 @@ struct Listing {
   std::string text;  // printed as it is: commands, raw output
 };
 
+struct Equations {
+  std::string text;                // as the catalogue writes them
+  std::vector<std::string> names;  // what in it is a name and no word
+};
+
 // A chart becomes a figure with its caption, notes and a folded table of its data; its series are decimated
 // first.
-using Block = std::variant<Paragraph, Listing, Chart, Table>;
+using Block = std::variant<Paragraph, Listing, Chart, Table, Equations>;
 
 struct Section {
   std::string id;

@@ -22,6 +22,10 @@ std::string block_markdown(const Listing& listing, const std::string&) {
   return "```\n" + listing.text + "\n```\n\n";
 }
 
+std::string block_markdown(const Equations& equations, const std::string&) {
+  return "```\n" + equations.text + "\n```\n\n";
+}
+
 std::string block_markdown(const Chart& chart, const std::string& folder) {
   std::string out = fmt::format("![{}]({}/{}.svg)\n\n", chart.title, folder, safe_id(chart.id));
   return chart.caption.empty() ? out : out + chart.caption + "\n\n";

@@ -12,7 +12,9 @@
 #include "reports/format.hpp"
 #include "reports/precision.hpp"
 #include "reports/report_page.hpp"
+#include "reports/settling.hpp"
 #include "reports/speed_ratio.hpp"
+#include "reports/step_sizes.hpp"
 #include "reports/tolerance.hpp"
 #include "reports/trajectory_page.hpp"
 #include "reports/work_precision.hpp"
@@ -173,7 +175,14 @@ Section tolerance_section(const ReportData& data) {
                fmt::format("Of {} accepted steps judged against the exact solution through their start, "
                            "{} had a true error above the tolerance.",
                            judged, deceived));
+  if (const auto& settling = data.input.pictures.settling; !settling.empty())
+    add_answer(section, settling_answer(settling));
+  for (const ProblemCurves& problem : data.problems)
+    if (Chart chart = step_size_chart(data.rows, problem.problem, data.palette); !chart.series.empty())
+      section.blocks.push_back(std::move(chart));
   section.blocks.push_back(calibration_table(codes));
+  if (const auto& settling = data.input.pictures.settling; !settling.empty())
+    section.blocks.push_back(settling_table(settling));
   return section;
 }
 

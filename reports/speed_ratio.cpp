@@ -37,14 +37,24 @@ std::string reason_of(const ProblemCurves& side, double error) {
   return fmt::format("not timed where it is reached ({})", nearest->method);
 }
 
-void add_side(std::vector<Cell>& cells, const std::optional<Offer>& offer, const std::string& reason) {
+void add_side(std::vector<Cell>& cells, const std::optional<Offer>& offer, const std::string& reason,
+              std::size_t count) {
   if (!offer) {
     cells.push_back({reason, Status::muted}), cells.push_back({std::string(no_value), Status::muted});
+    cells.push_back({"0", Status::muted, 0});
     return;
   }
   cells.push_back({fmt::format("{} ({})", offer->label, offer->tier)});
   cells.push_back(
       {(offer->at_most ? "≤ " : "") + cost_text(*offer, Cost::time), Status::plain, rounded(offer->cost)});
+  cells.push_back({fmt::format("{}", count), Status::plain, static_cast<double>(count)});
+}
+
+void add_ratio(std::vector<Cell>& cells, const std::optional<double>& ratio) {
+  if (!ratio)
+    cells.push_back({std::string(no_value), Status::muted});
+  else
+    cells.push_back({fmt::format("{:.2f}", *ratio), *ratio <= 1 ? Status::ok : Status::warn, *ratio});
 }
 
 }  // namespace
@@ -63,6 +73,12 @@ std::vector<SpeedRatio> speed_ratios(const std::vector<ProblemCurves>& problems)
       SpeedRatio r;
       r.problem = problem.problem, r.error = error;
       const auto ours = cheapest(own, error, Cost::time), theirs = cheapest(other, error, Cost::time);
+      r.own_count = ours.size(), r.other_count = theirs.size();
+      for (std::size_t i = 0; i < r.everyday.size(); ++i)
+        if (const auto offer = std::find_if(ours.begin(), ours.end(),
+                                            [&](const Offer& o) { return o.method == everyday_methods[i]; });
+            offer != ours.end())
+          r.everyday[i] = *offer;
       if (ours.empty())
         r.own_reason = reason_of(own, error);
       else
@@ -84,24 +100,28 @@ Table speed_ratio_table(const std::vector<SpeedRatio>& ratios) {
       "Least time per simulated second, minimum of repeated runs, all methods at one tolerance after each "
       "other. Interpolated between neighbouring tolerances of a method on logarithmic axes, never "
       "extrapolated; ≤: the coarsest tolerance is already this good. static: right-hand side inlined "
-      "into the step; erased: called through a pointer.",
+      "into the step; erased: called through a pointer. Codes: how many get there, of which the fastest "
+      "stands here. The last columns are single methods of ours over the best of the others, as one would "
+      "take "
+      "them without looking.",
       {{"problem"},
        {"error", Align::right},
        {"ours"},
        {"time", Align::right},
+       {"codes", Align::right},
        {"best of the others"},
        {"time", Align::right},
+       {"codes", Align::right},
        {"ratio", Align::right}},
       {}};
+  for (const auto method : everyday_methods) table.columns.push_back({std::string(method), Align::right});
   for (const SpeedRatio& r : ratios) {
     std::vector<Cell> cells{{r.problem}, {target_text(r.error), Status::plain, r.error}};
-    add_side(cells, r.own, r.own_reason);
-    add_side(cells, r.other, r.other_reason);
-    const auto ratio = r.ratio();
-    if (!ratio)
-      cells.push_back({std::string(no_value), Status::muted});
-    else
-      cells.push_back({fmt::format("{:.2f}", *ratio), *ratio <= 1 ? Status::ok : Status::warn, *ratio});
+    add_side(cells, r.own, r.own_reason, r.own_count);
+    add_side(cells, r.other, r.other_reason, r.other_count);
+    add_ratio(cells, r.ratio());
+    for (const auto& offer : r.everyday)
+      add_ratio(cells, offer && r.other ? std::optional(offer->cost / r.other->cost) : std::nullopt);
     table.rows.push_back(std::move(cells));
   }
   return table;

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "bench/expected_order.hpp"
+#include "integrators/facts.hpp"
 #include "integrators/lowered_order.hpp"
 #include "reports/observed_order.hpp"
 #include "tests/support/probe_families.hpp"
@@ -14,22 +17,50 @@
 namespace odemark {
 namespace {
 
-/// A problem and where it ends, to more digits than any run here can reach.
+/// Errors are looked at where the last `looks` of 8 equal parts of the interval end: the root of their mean
+/// square falls as a power of the step where a single component at a single time changes its sign.
+constexpr long parts = 8, looks = 4;
+
+/// A problem and its solution at those times, to more digits than any run here can reach.
 struct Ground {
   AnyProblem problem;
-  std::vector<long double> end;
+  std::vector<double> times;
+  std::vector<long double> solution;  // looks rows of one state
   bool nonlinear, driven, damped;
   bool turning = false;  // only for methods that need a rigid body
 };
 
-/// High orders need long intervals: on short ones two rungs of the ladder lead from nothing to round-off.
-std::vector<Ground> make_grounds(bool long_ones) {
+template <class T>
+std::optional<std::vector<T>> samples(const AnyMethod& method, const AnyProblem& problem,
+                                      const std::vector<double>& times, long steps) {
+  std::vector<T> y(problem.initial.begin(), problem.initial.end());
+  Trace<T> trace;
+  trace.grid = times;
+  const auto& system = problem.system<T>();
+  const auto report = method.runs<T>().solve_traced(system, system, FixedSteps{steps}, problem.t_begin,
+                                                    problem.t_end, y, trace);
+  if (report.status != RunStatus::reached_end) return std::nullopt;
+  return trace.samples;
+}
+
+/// From here on intervals are long and arithmetic is extended: in double, and on short intervals, two rungs
+/// of the ladder lead from nothing to round-off.
+constexpr int lowest_high_order = 5;
+enum class Length { brief, extended, longest };
+
+std::vector<Ground> make_grounds(Length length) {
   std::vector<Ground> made;
   const auto add = [&](auto make, double short_end, double long_end, bool nonlinear, bool driven,
                        bool damped) {
-    AnyProblem problem = make(fmt::format("t_end={}", long_ones ? long_end : short_end));
-    auto end = fine_end(problem, 1024);
-    made.push_back({std::move(problem), std::move(end), nonlinear, driven, damped});
+    const double end = length == Length::brief      ? short_end
+                       : length == Length::extended ? long_end
+                                                    : 4 * long_end;
+    AnyProblem problem = make(fmt::format("t_end={}", end));
+    Ground ground{std::move(problem), {}, {}, nonlinear, driven, damped};
+    for (long i = parts - looks + 1; i <= parts; ++i) ground.times.push_back(end * double(i) / parts);
+    ground.solution =
+        samples<long double>(suite_method("taylor20"), ground.problem, ground.times, 2048).value();
+    made.push_back(std::move(ground));
   };
   const auto suite = [](const char* id, const char* more = "") {
     return [=](const std::string& settings) { return suite_problem(id, settings + more); };
@@ -49,9 +80,22 @@ std::vector<Ground> make_grounds(bool long_ones) {
   for (std::size_t i = first_body; i < made.size(); ++i) made[i].turning = true;
   return made;
 }
-const std::vector<Ground>& grounds(bool long_ones = false) {
-  static const std::vector<Ground> short_grounds = make_grounds(false), long_grounds = make_grounds(true);
-  return long_ones ? long_grounds : short_grounds;
+const std::vector<Ground>& grounds(Length length = Length::brief) {
+  static const std::array<std::vector<Ground>, 3> all{
+      make_grounds(Length::brief), make_grounds(Length::extended), make_grounds(Length::longest)};
+  return all[std::size_t(length)];
+}
+
+/// Root mean square of the errors of all components at all looks, in the problem's scales.
+template <class T>
+double mean_error(const Ground& ground, const std::vector<T>& found) {
+  const std::size_t size = ground.problem.size();
+  long double squares = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const long double gap = static_cast<long double>(found[i]) - ground.solution[i];
+    squares += gap * gap / (ground.problem.scale[i % size] * ground.problem.scale[i % size]);
+  }
+  return double(std::sqrt(squares / static_cast<long double>(found.size())));
 }
 
 template <class T>
@@ -62,18 +106,17 @@ ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
   const double ratio = order > 6 ? 1.15 : order > 4 ? 1.3 : order > 2 ? 1.6 : 2;
   std::vector<Row> rows;
   long previous = 0;
-  for (double wished = 6; wished < 20'000 && rows.size() < 60; wished *= ratio) {
-    const long steps = std::lround(wished);
+  for (double wished = parts; wished < 20'000 && rows.size() < 60; wished *= ratio) {
+    const long steps = parts * std::lround(wished / parts);
     if (steps == previous) continue;
     previous = steps;
-    const auto end = solve<T>(method, problem, FixedSteps{steps});
+    const auto found = samples<T>(method, problem, ground.times, steps);
     Row row;
     row.problem = problem.id, row.method = std::string(method.id), row.order = order;
     row.scalar = sizeof(T) == sizeof(double) ? "double" : "long_double";
     row.steps = steps, row.dt = (problem.t_end - problem.t_begin) / static_cast<double>(steps);
-    row.status = to_string(end.report.status);
-    if (end.report.status == RunStatus::reached_end)
-      row.errors.emplace().scaled = scaled_gap(problem, end.y, ground.end);
+    row.status = found ? "reached_end" : "not_finite";
+    if (found) row.errors.emplace().scaled = mean_error(ground, *found);
     rows.push_back(row);
     const double floor = 50 * 8 * unit_roundoff(row.scalar);
     if (row.errors && row.errors->scaled < floor) break;
@@ -82,6 +125,8 @@ ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
   OrderOptions options;
   options.slack = std::max(options.slack, 0.04 * order);
   options.slope_scatter = std::max(options.slope_scatter, 0.03 * order);
+  // on the last six decades above round-off; what is above is on the way to the order and tells nothing
+  if (order >= lowest_high_order) options.largest_error = 1e-11;
   return observed_order(rows, options);
 }
 
@@ -90,67 +135,38 @@ class Convergence : public testing::TestWithParam<AnyMethod> {};
 TEST_P(Convergence, ClaimedOrderIsObserved) {
   const AnyMethod& method = GetParam();
   int measured = 0, holds = 0, nonlinear = 0, driven = 0;
-  const bool proved_pair = method.order > 6 && method.theory().nystrom.stages > 0;
-  // order_conditions_test proves the exact order of a tableau. The high ones reach round-off where their
-  // error still changes sign between the rungs: one ground tells little, the middle of all of them does.
-  const bool proved = method.theory().tableau.stages > 0 &&
-                      (method.order > 6 || (method.order == 6 && method.theory().rounding_amplification > 1));
-  std::vector<double> slopes;
-  // the expansion of linearly implicit steps in h, not h^2, comes to its leading term later than others
-  // and in double large weights that cancel end the ladder before it tells anything
-  const int low =
-      method.kind == "linearly implicit extrapolation" || method.theory().rounding_amplification > 1 ? 5 : 6;
   for (std::size_t n = 0; n < grounds().size(); ++n) {
     if (!can_run<double>(method, grounds()[n].problem)) continue;
     if (grounds()[n].turning && !(method.needs & Ability::rotation)) continue;
-    const bool high = expected_order(method, grounds()[n].problem).order > low;
-    const Ground& ground = grounds(high)[n];
+    const int expected = expected_order(method, grounds()[n].problem).order;
+    const bool high = expected >= lowest_high_order;
+    const Ground& ground = grounds(expected > 10 ? Length::longest
+                                   : high        ? Length::extended
+                                                 : Length::brief)[n];
     const ObservedOrder order = high ? measure<long double>(method, ground) : measure<double>(method, ground);
     std::printf("%-36s %-28s claimed %2d observed %6.3f +- %.3f (%d points) %s\n",
                 std::string(method.id).c_str(), ground.problem.id.c_str(), order.claimed,
                 order.slope.value_or(0), order.standard_error.value_or(0), order.points,
                 std::string(to_string(order.verdict)).c_str());
-    // The highest orders reach round-off within three or four rungs, still on their way to the limit: their
-    // order is proved on the cut exponential (taylor_test); here they must only come near it wherever
-    // anything can be told.
-    if (method.order > 10 || proved) {
-      if (order.slope) {
-        slopes.push_back(*order.slope);
-        EXPECT_GE(*order.slope, 0.75 * method.order) << ground.problem.id;
-      }
-      continue;
-    }
     if (is_weakly_stable(method.theory())) {
-      EXPECT_EQ(expected_order(method, ground.problem).order == 0, ground.damped) << ground.problem.id;
+      EXPECT_EQ(expected == 0, ground.damped) << ground.problem.id;
       // what it makes of the rounding and of the start is no error term with an order
       if (ground.damped) continue;
     }
     ++measured, nonlinear += ground.nonlinear, driven += ground.driven;
-    // Its terms of that order are made so small that those of the next are seen beside them: exactly this
-    // order is proved by trees (order_conditions_test), and what is seen must come near it from either side.
-    if (proved_pair) {
-      ASSERT_TRUE(order.slope) << ground.problem.id << ": " << order.reason;
-      EXPECT_GE(*order.slope, 0.93 * method.order) << ground.problem.id;
-      EXPECT_LE(*order.slope, method.order + 1) << ground.problem.id;
-      continue;
-    }
     holds += order.verdict == OrderVerdict::holds;
     // better than claimed happens where an error term vanishes; worse, or not to be told, must not
     EXPECT_TRUE(order.verdict == OrderVerdict::holds || order.verdict == OrderVerdict::exceeds)
         << ground.problem.id << ": " << to_string(order.verdict) << ", " << order.reason;
   }
-  if (proved) {
-    ASSERT_GE(slopes.size(), 4u);
-    std::sort(slopes.begin(), slopes.end());
-    EXPECT_GE(slopes[slopes.size() / 2], 0.96 * method.order - 0.3);
-    return;
-  }
-  if (method.order > 10) return;
   EXPECT_GE(measured, 3);
   EXPECT_GE(nonlinear, 1);
   EXPECT_GE(driven, 1);
-  if (proved_pair) return;
-  EXPECT_GE(2 * holds, measured) << "the claim is too low";
+  // Whether a claim is too low is not seen where the first error term was made so small that the next hides
+  // it down to round-off (verner65, verner98); but then trees have proved that it is there.
+  const MethodFacts facts = method_facts(method.theory(), method.order, method.embedded_order);
+  const bool proved = facts.order && *facts.order == method.order && facts.order.reason.starts_with("proved");
+  EXPECT_TRUE(proved || 2 * holds >= measured) << "the claim is too low";
 }
 
 std::vector<AnyMethod> fixed_step_methods() {
@@ -167,8 +183,9 @@ INSTANTIATE_TEST_SUITE_P(Suite, Convergence, testing::ValuesIn(fixed_step_method
 TEST(Yardstick, TaylorOfTwentyOrdersMeetsTheClosedForm) {
   const auto& ground = grounds().front();
   const long double t = static_cast<long double>(ground.problem.t_end);
-  EXPECT_NEAR(double(ground.end[0] - std::sin(t)), 0, 1e-17);
-  EXPECT_NEAR(double(ground.end[1] - std::cos(t)), 0, 1e-17);
+  const std::size_t last = ground.solution.size() - ground.problem.size();
+  EXPECT_NEAR(double(ground.solution[last] - std::sin(t)), 0, 1e-17);
+  EXPECT_NEAR(double(ground.solution[last + 1] - std::cos(t)), 0, 1e-17);
 }
 
 /// Under error control a smaller tolerance gives a smaller error, in proportion to its theory within wide
@@ -184,8 +201,10 @@ TEST(ErrorControl, ErrorFollowsTolerance) {
     const auto fine = solve(method, ground.problem, ErrorControl{tight, tight});
     ASSERT_EQ(coarse.report.status, RunStatus::reached_end);
     ASSERT_EQ(fine.report.status, RunStatus::reached_end);
-    const double coarse_error = scaled_gap(ground.problem, coarse.y, ground.end),
-                 fine_error = scaled_gap(ground.problem, fine.y, ground.end);
+    const std::vector<long double> end(ground.solution.end() - std::ptrdiff_t(ground.problem.size()),
+                                       ground.solution.end());
+    const double coarse_error = scaled_gap(ground.problem, coarse.y, end),
+                 fine_error = scaled_gap(ground.problem, fine.y, end);
     EXPECT_LT(fine_error, coarse_error);
     // error per step: h ~ tolerance^(1/k), and 1/h steps, each off by the tolerance
     const double k = std::min(method.order, method.embedded_order) + 1, power = (k - 1) / k;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "bench/json_line.hpp"
@@ -157,6 +159,40 @@ TEST(Execute, TimesAreTakenOfRunsThatReachedTheEnd) {
     EXPECT_TRUE(execute(make_plan(registry, chosen), options));
     EXPECT_EQ(timed, 2);
   }
+}
+
+TEST(Execute, AComparisonDoesNotWaitForMethodsThatRanOutOfTime) {
+  static const Registry registry{suite_methods(), suite_families()};
+  PlanOptions chosen;
+  chosen.suite = "work_precision";
+  chosen.methods = "heun21,rodas4", chosen.problems = "van_der_pol_mu1000", chosen.timing = false;
+  std::vector<Row> hopeless, others;
+  ExecuteOptions options;
+  options.sink = [&](const Row& row) { (row.method == "heun21" ? hopeless : others).push_back(row); };
+  const auto runs = make_plan(registry, chosen);
+  EXPECT_TRUE(execute(runs, options));
+  ASSERT_GE(hopeless.size(), 3u);
+  ASSERT_GE(others.size(), 10u);
+  EXPECT_EQ(hopeless.size() + others.size(), runs.size());
+  EXPECT_EQ(hopeless[0].status, "time_limit");
+  EXPECT_GT(hopeless[0].accepted, 0);
+  for (std::size_t i = 1; i < hopeless.size(); ++i) {
+    EXPECT_EQ(hopeless[i].status, "time_limit");
+    EXPECT_EQ(hopeless[i].accepted, 0);
+    EXPECT_TRUE(hopeless[i].reason.starts_with("not tried")) << hopeless[i].reason;
+    EXPECT_EQ(hopeless[i].rtol, std::pow(10.0, -2.0 - static_cast<double>(i)));
+    EXPECT_EQ(hopeless[i].filter, hopeless[0].filter);
+  }
+  for (const Row& row : others) EXPECT_EQ(row.status, "reached_end") << row.id;
+  // without the mark of a comparison everything is run
+  auto all = runs;
+  for (auto& run : all) run.part_of_comparison = false;
+  all.erase(std::remove_if(all.begin(), all.end(), [](const auto& r) { return r.method->id != "heun21"; }),
+            all.end());
+  all.resize(2);
+  hopeless.clear();
+  EXPECT_TRUE(execute(all, options));
+  EXPECT_GT(hopeless.at(1).accepted, 0);
 }
 
 }  // namespace

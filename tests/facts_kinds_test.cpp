@@ -138,6 +138,26 @@ TEST(Facts, MultistepOnTheImaginaryAxis) {
   EXPECT_EQ(*ab6.step_ratio_limit, infinity);
 }
 
+TEST(Facts, PredictorCorrectorsAtInfinity) {
+  // with a new value on the left-hand side alone, a large z multiplies what is old
+  EXPECT_EQ(*facts_of("adams_bashforth_moulton33").stability.r_infinity, infinity);
+  // 1 + z^2 (w - 1/2): one root, and at infinity it is 1/2
+  Theory theory;
+  theory.characteristic = {{0, 1}, {0, 0}, {-0.5L, 1}};
+  EXPECT_NEAR(double(*detail::stability_facts(theory).r_infinity), 0.5, 1e-15);
+}
+
+TEST(Facts, RoundingsWithinStabilisedSteps) {
+  // with the square of the number of stages, and never so far that they are worth half the digits
+  for (const char* id : {"rkc1", "rkc2", "rkl2", "rock2", "rock4"}) {
+    const auto facts = facts_of(id);
+    ASSERT_TRUE(facts.internal_amplification) << id;
+    EXPECT_LE(double(*facts.internal_amplification) * 0x1p-53, 10 * std::sqrt(0x1p-53)) << id;
+    EXPECT_GT(double(*facts.internal_amplification), 1) << id;
+  }
+  EXPECT_EQ(*facts_of("rkc2").internal_amplification, 40'000);
+}
+
 TEST(Facts, StepRatiosOfBdf) {
   for (const auto& [k, known] : {std::pair{2, 1 + std::sqrt(2.0)}, {3, (1 + std::sqrt(5.0)) / 2}})
     EXPECT_NEAR(double(*method_facts(bdf(k), k).step_ratio_limit), known, 1e-12) << k;
@@ -148,6 +168,14 @@ TEST(Facts, StepRatiosOfBdf) {
 // --- step control ---
 
 TEST(Facts, ControllersOnTheBoundary) {
+  // Bogacki and Shampine print two estimates. The first, of seven stages, is that of the published figures;
+  // the second, which looks at the new state too and is the one of the method, shakes the step at the
+  // boundary far more: at z* its error grows with |z| to the 20.6, that of the first to the 5.8.
+  Theory first_estimate = method("bogacki_shampine54").theory();
+  const Coefficient gap[] = {
+      -3 / 1280.0L, 0, 6561 / 632320.0L, -343 / 20800.0L, 243 / 12800.0L, -1 / 95.0L, 0, 0};
+  for (std::size_t i = 0; i < 8; ++i)
+    first_estimate.tableau.b_embedded[i] = first_estimate.tableau.b[i] - gap[i];
   struct Row {
     MethodFacts facts;
     double elementary, pi, dopri;
@@ -156,6 +184,8 @@ TEST(Facts, ControllersOnTheBoundary) {
                           Row{facts_of("dormand_prince54"), 1.0223, 0.7240, 0.8905},
                           Row{facts_of("tsitouras54"), 1.0437, 0.7184, 0.9054},
                           Row{method_facts(fehlberg54(), 5, 4), 0.9849, 0.7478, 0.8716},
+                          Row{method_facts(first_estimate, 5, 4), 1.1963, 0.7549, 1.0288},
+                          Row{facts_of("bogacki_shampine54"), 2.6879, 2.1949, 2.4079},
                           Row{method_facts(cash_karp54(), 5, 4), 1.0889, 0.7216, 0.9419}}) {
     const auto& radii = *row.facts.controller_spectral_radius;
     EXPECT_NEAR(double(radii.at("elementary")), row.elementary, 5.1e-5);

@@ -139,6 +139,15 @@ TEST(Facts, IslandsNarrowerThanAScanAreListed) {
   EXPECT_NEAR(double(facts.stability.real_islands->front().second), 3.00001, 1e-9);
 }
 
+TEST(Facts, TheIslandOfDop853) {
+  const auto dop853 = facts_of("dop853");
+  EXPECT_NEAR(double(*dop853.stability.real_interval), 6.3936515, 5e-7);
+  ASSERT_EQ(dop853.stability.real_islands->size(), 1u);
+  const auto& [low, high] = dop853.stability.real_islands->front();
+  EXPECT_NEAR(double(low), 23.24915025, 5e-8);
+  EXPECT_NEAR(double(high - low), 1.005e-5, 5e-9);  // a scan by hundredths never lands on it
+}
+
 TEST(Facts, WindowsOfSplittings) {
   const auto yoshida = facts_of("yoshida4");
   EXPECT_NEAR(double(*yoshida.oscillator_limit), 1.57340194743, 5e-12);
@@ -160,6 +169,13 @@ TEST(Facts, WindowsOfSplittings) {
   EXPECT_NEAR(double(facts.oscillator_windows->front().second), 6.314, 5e-4);
   EXPECT_TRUE(*facts.symplectic);
   EXPECT_TRUE(*facts.symmetric);
+}
+
+TEST(Facts, WindowsOfPefrl) {
+  const auto pefrl = facts_of("pefrl");
+  EXPECT_NEAR(double(*pefrl.oscillator_limit), 2.98945, 5e-6);
+  ASSERT_FALSE(pefrl.oscillator_windows->empty());
+  EXPECT_NEAR(double(pefrl.oscillator_windows->front().first), 3.50542, 5e-6);
 }
 
 TEST(Facts, DampedSprings) {

@@ -113,6 +113,23 @@ TEST(Rosenbrock, OneWrongDigitIsSeen) {
   EXPECT_FALSE(orders_hold(slightly));
 }
 
+constexpr auto no_w_method = [] {
+  auto m = ros34pw2;  // still of order 3 with the exact Jacobian: alpha + gamma and the nodes are untouched
+  m.id = "no_w_method";
+  m.gamma[2][0] += 0.05L, m.gamma[2][1] -= 0.05L;
+  m.alpha[2][0] -= 0.05L, m.alpha[2][1] += 0.05L;
+  return m;
+}();
+
+/// The same, seen in steps: with a wrong matrix it falls to order 2 where the right one keeps order 3.
+TEST(Rosenbrock, AWMethodThatIsNoneLosesItsOrderWithAWrongJacobian) {
+  const auto problem = probe::problem<probe::Driven>("t_end=2");
+  const AnyMethod spoiled = erase_method<no_w_method>();
+  EXPECT_NEAR(slope(spoiled, problem, 0, 0), 3, 0.25);
+  EXPECT_LT(slope(spoiled, problem, 1, 0), 2.5);
+  EXPECT_NEAR(slope(suite_method("ros34pw2"), problem, 1, 0), 3, 0.25);
+}
+
 /// A stiff problem driven in time, y' = l (y - cos t) - sin t: without h gamma_i f_t the order falls to 1.
 struct Prothero {
   using State = std::array<double, 1>;

@@ -37,6 +37,7 @@ Row full_row() {
   r.errors = RowErrors{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, -0.7, 0.8};
   r.truth_floor = 1e-25, r.sensitivity = 1e-15, r.truth_digits = 25;
   r.drift = {{"energy", 1e-3}, {"angular_momentum", 0}};
+  r.events = RowEvents{3, 4, 0.0625};
   r.timing = RowTiming{1e-6, 2e-6, 1e-7, 7, 62.5, 100, "static"};
   r.state_hash = "0123456789abcdef";
   return r;
@@ -69,6 +70,9 @@ TEST(Rows, EveryFieldComesBack) {
   EXPECT_EQ(back.errors->phase, row.errors->phase);
   EXPECT_EQ(back.errors->relative, row.errors->relative);
   EXPECT_EQ(back.drift, row.drift);
+  EXPECT_EQ(back.events->found, 3);
+  EXPECT_EQ(back.events->expected, 4);
+  EXPECT_EQ(back.events->worst_time_error, 0.0625);
   EXPECT_EQ(back.timing->tier, "static");
   EXPECT_EQ(back.timing->mad_seconds, row.timing->mad_seconds);
   EXPECT_TRUE(back.compensated);
@@ -93,6 +97,7 @@ TEST(Rows, KeysAreStable) {
       R"("newton":5,"evaluations":65},"errors":{"scaled":0.1,"absolute":0.2,"relative":0.3,"rms":0.4,)"
       R"("trajectory_max":0.5,"trajectory_rms":0.6,"amplitude":-0.7,"phase":0.8},"truth_floor":1e-25,)"
       R"("sensitivity":1e-15,"truth_digits":25.0,"drift":{"angular_momentum":0.0,"energy":0.001},)"
+      R"("events":{"found":3,"expected":4,"worst_time_error":0.0625},)"
       R"("timing":{"minimum_seconds":1e-06,"median_seconds":2e-06,"mad_seconds":1e-07,"repeats":7,)"
       R"("ns_per_step":62.5,"ns_per_simulated_second":100.0,"tier":"static"},)"
       R"("state_hash":"0123456789abcdef"})");

@@ -147,7 +147,7 @@ TEST(Settings, WideValuesAreExactOrTheDoublesThatProgramsSee) {
   const auto problem = suite_problem("oscillator", "x0=0.1,v0=8/3");
   const WideProblem exact = widened(problem, true), rounded = widened(problem, false);
   EXPECT_EQ(exact.initial[0] * 10, Wide(1));
-  EXPECT_NEAR((exact.initial[1] * 3 - 8).convert_to<double>(), 0, 1e-48);
+  EXPECT_NEAR(static_cast<double>(exact.initial[1] * 3 - 8), 0, 1e-48);
   EXPECT_EQ(rounded.initial[0], Wide(0.1));
   EXPECT_EQ(rounded.initial[1], Wide(8.0 / 3));
   EXPECT_NE(exact.initial[0], rounded.initial[0]);

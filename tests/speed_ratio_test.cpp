@@ -2,6 +2,7 @@
 // reasons.
 #include "reports/speed_ratio.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,8 +54,31 @@ TEST(SpeedRatio, NobodyIsExtrapolated) {
   EXPECT_FALSE(ratios[3].own);
   EXPECT_THAT(ratios[3].own_reason, HasSubstr("nearest: own with 1e-10"));
   const Table table = speed_ratio_table(ratios);
-  EXPECT_EQ(table.rows[0].back().text, "0.50");
-  EXPECT_EQ(table.rows[1].back().text, "–");
+  constexpr std::size_t ratio_column = 8;
+  EXPECT_EQ(table.columns[ratio_column].name, "ratio");
+  EXPECT_EQ(table.rows[0][ratio_column].text, "0.50");
+  EXPECT_EQ(table.rows[1][ratio_column].text, "–");
+}
+
+TEST(SpeedRatio, SaysHowManyStoodOnEachSideAndWhatOneTakesWithoutLooking) {
+  auto rows = both_sides();
+  for (const double tolerance : {1e-2, 1e-4})
+    rows.push_back(
+        timed(std::string(everyday_methods[1]), "odemark", tolerance, tolerance, 300e-6 * tolerance));
+  const auto ratios = speed_ratios(work_curves(rows));
+  const auto& r = ratios[0];
+  EXPECT_EQ(r.own_count, 3u);
+  EXPECT_EQ(r.other_count, 1u);
+  EXPECT_EQ(ratios[2].own_count, 1u);
+  EXPECT_EQ(ratios[2].other_count, 0u);
+  EXPECT_FALSE(r.everyday[0]);
+  ASSERT_TRUE(r.everyday[1]);
+  EXPECT_NEAR(r.everyday[1]->cost, 300, 1e-6);  // half way between 3000 and 30 ns
+  const Table table = speed_ratio_table(ratios);
+  ASSERT_EQ(table.columns.size(), 9 + std::size(everyday_methods));
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+  EXPECT_EQ(table.rows[0][10].text, fmt::format("{:.2f}", r.everyday[1]->cost / r.other->cost));
+  EXPECT_EQ(table.rows[0][9].text, "–");
 }
 
 TEST(SpeedRatio, FailuresAreReasonsAndUntimedProblemsAreLeftOut) {

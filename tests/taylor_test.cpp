@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "integrators/tape.hpp"
+#include "integrators/taylor_series.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
@@ -66,6 +66,42 @@ TEST(TaylorSeries, SineAndCosine) {  // y' = cos t: sin t
              [](int k) { return k % 2 == 0 ? 0.0L : (k % 4 == 1 ? 1 : -1) / factorial(k); });
   expect_law(coefficients([](auto t, auto) { return sin(t); }, -1, 20),
              [](int k) { return k % 2 == 1 ? 0.0L : (k % 4 == 0 ? -1 : 1) / factorial(k); });
+}
+TEST(TaylorSeries, HyperbolicSineAndCosine) {  // y' = cosh t: sinh t
+  expect_law(coefficients([](auto t, auto) { return cosh(t); }, 0, 20),
+             [](int k) { return k % 2 == 0 ? 0.0L : 1 / factorial(k); });
+  expect_law(coefficients([](auto t, auto) { return sinh(t); }, 1, 20),
+             [](int k) { return k % 2 == 1 ? 0.0L : 1 / factorial(k); });
+}
+TEST(TaylorSeries, HyperbolicTangent) {  // y' = y tanh t: cosh t
+  expect_law(coefficients([](auto t, auto y) { return y * tanh(t); }, 1, 20),
+             [](int k) { return k % 2 == 1 ? 0.0L : 1 / factorial(k); });
+}
+TEST(TaylorSeries, ArcTangent) {  // y' = atan t: t atan t - log(1 + t^2)/2
+  expect_law(coefficients([](auto t, auto) { return atan(t); }, 0, 20), [](int k) {
+    return k == 0 || k % 2 == 1 ? 0.0L : (k % 4 == 2 ? 1.0L : -1.0L) / static_cast<long double>(k * (k - 1));
+  });
+  // of something that is no straight line: y = tan(t + 1/4) has atan y = t + 1/4
+  const auto plain = coefficients([](auto, auto y) { return 1 + y * y; }, std::tan(0.25L), 20);
+  expect_law(coefficients([](auto t, auto y) { return 1 + y * y + (atan(y) - t - 1 / decltype(y)(4)); },
+                          std::tan(0.25L), 20),
+             [&](int k) { return plain[std::size_t(k)]; });
+}
+TEST(TaylorSeries, Power) {
+  // y' = y^3/2: (1 - t)^(-1/2)
+  expect_law(coefficients([](auto, auto y) { return pow(y, decltype(y)(3)) / 2; }, 1, 20), [](int k) {
+    long double binomial = 1;
+    for (int j = 1; j <= k; ++j)
+      binomial *= (static_cast<long double>(j) - 0.5L) / static_cast<long double>(j);
+    return binomial;
+  });
+  // y' = 2 y^(1/2): (1 + t)^2, also where the exponent is found on the tape
+  for (const long double late : {0.0L, 1.0L})
+    expect_law(
+        coefficients([&](auto t, auto y) { return 2 * pow(y, decltype(y)(0.5L) + late * (t - t)); }, 1, 20),
+        [](int k) { return k == 0 || k == 2 ? 1.0L
+                           : k == 1         ? 2.0L
+                                            : 0.0L; });
 }
 TEST(TaylorSeries, AbsoluteValueAndNegation) {  // y' = -|y| with y > 0
   expect_law(coefficients([](auto, auto y) { return -abs(y); }, 1, 20),

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/cli/commands.hpp"
+#include "bench/problem_sheets.hpp"
+#include "reference/truth.hpp"
 #include "reports/table.hpp"
 
 namespace odemark {
@@ -13,14 +15,6 @@ namespace {
 
 std::string needs_text(unsigned needs) {
   return std::string(missing_ability(needs, Ability::jacobian | Ability::recordable));
-}
-
-std::string range_text(const Range& r) {
-  if (std::isinf(r.lowest) && std::isinf(r.highest)) return "any";
-  if (std::isinf(r.highest)) return fmt::format("{} {:g}", r.open_below ? ">" : ">=", r.lowest);
-  if (std::isinf(r.lowest)) return fmt::format("{} {:g}", r.open_above ? "<" : "<=", r.highest);
-  return fmt::format("{}{:g}, {:g}{}", r.open_below ? "(" : "[", r.lowest, r.highest,
-                     r.open_above ? ")" : "]");
 }
 
 nlohmann::ordered_json methods_json(const Registry& registry) {
@@ -39,6 +33,16 @@ nlohmann::ordered_json methods_json(const Registry& registry) {
                    {"note", m.note},
                    {"source", m.source}});
   return all;
+}
+
+/// Null where none is stored: `odemark truth` computes it.
+nlohmann::ordered_json truth_json(const AnyProblem& problem) {
+  const auto truth = stored_truth_of(problem);
+  if (!truth) return nullptr;
+  return {{"digits", truth->digits},
+          {"origin", truth->origin},
+          {"checked_by", truth->checked_by},
+          {"events", truth->events.size()}};
 }
 
 nlohmann::ordered_json problems_json(const Registry& registry) {
@@ -69,7 +73,10 @@ nlohmann::ordered_json problems_json(const Registry& registry) {
                      {"components", components},
                      {"parameters", parameters},
                      {"invariants", f.invariant_names},
+                     {"events", f.event_names},
+                     {"switch_times", problem.switch_times},
                      {"closed_form", f.has_exact},
+                     {"truth", truth_json(problem)},
                      {"source", f.source}});
     }
   return all;
@@ -93,8 +100,8 @@ Table methods_table(const Registry& registry) {
 
 Table problems_table(const Registry& registry) {
   Table table;
-  table.title = "Problems";
-  for (const char* name : {"problem", "about", "t_end", "dt", "truth", "parameters for --set"})
+  std::size_t presets = 0, stored = 0, thirty = 0, closed = 0;
+  for (const char* name : {"problem", "about", "t_end", "dt", "truth", "digits", "parameters for --set"})
     table.columns.push_back({name});
   for (const auto& f : registry.families)
     for (const auto& preset : f.presets) {
@@ -104,13 +111,20 @@ Table problems_table(const Registry& registry) {
         parameters += fmt::format("{}{}={:g}", parameters.empty() ? "" : ",", p.name, p.value);
       for (const auto& p : f.parameters)
         if (p.shorthand) parameters += fmt::format(",[{}]", p.name);
+      const auto truth = stored_truth_of(problem);
+      ++presets, stored += truth != nullptr, thirty += truth && truth->digits >= 30, closed += f.has_exact;
       table.rows.push_back({{std::string(preset.id)},
                             {std::string(preset.about)},
                             {fmt::format("{:g}", problem.t_end)},
                             {fmt::format("{:g}", problem.suggested_dt)},
                             {f.has_exact ? "closed form" : "two computations"},
+                            {truth ? fmt::format("{}", truth->digits) : "-"},
                             {parameters}});
     }
+  table.title = fmt::format(
+      "Problems: {} families, {} presets; {} have a closed form, {} a stored solution, {} of these with 30 "
+      "digits or more",
+      registry.families.size(), presets, closed, stored, thirty);
   return table;
 }
 

@@ -11,6 +11,7 @@
 #include "bench/json_line.hpp"
 #include "bench/method_sheets.hpp"
 #include "bench/pictures.hpp"
+#include "bench/problem_sheets.hpp"
 
 namespace odemark {
 
@@ -24,7 +25,13 @@ int report_command(const Registry& registry, const ReportOptions& options) {
     methods = method_sheets(registry.methods,
                             [&](std::size_t done, std::size_t total) { progress.update(done, total, ""); });
   }
-  fmt::print("{}\n", write_report(std::move(results), std::move(pictures), chapter_data(), methods,
+  std::vector<ProblemSheet> problems;
+  {
+    Progress progress("problems", options);
+    problems = problem_sheets(registry,
+                              [&](std::size_t done, std::size_t total) { progress.update(done, total, ""); });
+  }
+  fmt::print("{}\n", write_report(std::move(results), std::move(pictures), chapter_data(), methods, problems,
                                   options.output, options.title));
   return exit_ok;
 }

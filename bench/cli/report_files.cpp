@@ -12,6 +12,7 @@
 #include "reports/html.hpp"
 #include "reports/method_page.hpp"
 #include "reports/page_files.hpp"
+#include "reports/problem_sheet_page.hpp"
 #include "reports/report_page.hpp"
 
 namespace odemark {
@@ -19,12 +20,14 @@ namespace odemark {
 namespace {
 
 const std::vector<Link>& beside() {
-  static const std::vector<Link> links{{"the textbook chapter, claim by claim", "chapter.html"},
-                                       {"every method: facts, computed and measured", "methods.html"},
-                                       {"every run, all fields", "csv/rows.csv"},
-                                       {"every stability limit", "csv/stability.csv"},
-                                       {"this page as Markdown", "report.md"},
-                                       {"the results themselves, one JSON object a line", "results.jsonl"}};
+  static const std::vector<Link> links{
+      {"the textbook chapter, claim by claim", "chapter.html"},
+      {"every method: facts, computed and measured", "methods.html"},
+      {"every problem: equations, truth and its digits, stiffness", "problems.html"},
+      {"every run, all fields", "csv/rows.csv"},
+      {"every stability limit", "csv/stability.csv"},
+      {"this page as Markdown", "report.md"},
+      {"the results themselves, one JSON object a line", "results.jsonl"}};
   return links;
 }
 
@@ -36,8 +39,8 @@ std::string size_text(std::size_t bytes) {
 }  // namespace
 
 std::string write_report(Results results, Pictures pictures, const ChapterData& chapter,
-                         const std::vector<FactSheet>& methods, const std::string& folder_name,
-                         const std::string& title) {
+                         const std::vector<FactSheet>& methods, const std::vector<ProblemSheet>& problems,
+                         const std::string& folder_name, const std::string& title) {
   ReportInput input;
   input.pictures = std::move(pictures);
   input.header = std::move(results.header);
@@ -47,7 +50,7 @@ std::string write_report(Results results, Pictures pictures, const ChapterData& 
   const Page page = report_page(input), claims = chapter_page(chapter);
 
   const std::filesystem::path folder = folder_name;
-  for (const char* part : {"svg", "csv", "problems", "methods"})
+  for (const char* part : {"svg", "csv", "problems", "methods", "families"})
     require_writable_folder((folder / part).string());
   const auto write = [&](const std::string& name, const std::string& content) {
     write_file((folder / name).string(), content);
@@ -59,7 +62,9 @@ std::string write_report(Results results, Pictures pictures, const ChapterData& 
     files.push_back({one.name, to_html(one.page)});
   }
   for (const NamedPage& one : method_pages(methods)) files.push_back({one.name, to_html(one.page)});
-  const Page overview = methods_page(methods);
+  for (const NamedPage& one : family_pages(problems)) files.push_back({one.name, to_html(one.page)});
+  const Page overview = methods_page(methods), catalogue = families_page(problems);
+  for (auto& file : page_files(catalogue, "svg", "csv")) files.push_back(std::move(file));
   for (auto& file : page_files(overview, "svg", "csv")) files.push_back(std::move(file));
   for (auto& file : page_files(claims, "svg", "csv")) files.push_back(std::move(file));
   files.push_back({"csv/rows.csv", to_csv(rows_table(input.rows))});
@@ -74,13 +79,13 @@ std::string write_report(Results results, Pictures pictures, const ChapterData& 
   write("report.md", to_markdown(page, "svg"));
   write("chapter.html", to_html(claims));
   write("methods.html", to_html(overview));
+  write("problems.html", to_html(catalogue));
   const std::size_t size = write("report.html", to_html(page));
   return fmt::format(
-      "wrote {} ({}), chapter.html, methods.html, report.md; {} pages in problems/, {} in methods/, {} "
-      "pictures "
-      "in svg/, {} tables in csv/",
+      "wrote {} ({}), chapter.html, methods.html, problems.html, report.md; {} pages in problems/, {} in "
+      "methods/, {} in families/, {} pictures in svg/, {} tables in csv/",
       (folder / "report.html").string(), size_text(size), written["problems"], written["methods"],
-      written["svg"], written["csv"]);
+      written["families"], written["svg"], written["csv"]);
 }
 
 }  // namespace odemark

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/data/region.hpp"
+#include "bench/data/settling.hpp"
 #include "bench/data/trajectory.hpp"
 
 namespace odemark {
@@ -60,6 +61,7 @@ struct Pictures {
   std::vector<RegionGroup> regions;
   std::vector<std::complex<double>> damping_at;
   std::vector<Damping> damping;
+  std::vector<Settling> settling;  // only where rows look at single steps
 };
 
 }  // namespace odemark

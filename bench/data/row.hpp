@@ -49,6 +49,13 @@ struct RowLocal {
   double worst = 0;   // largest true local error over the tolerance
 };
 
+/// Events of a run beside those of the solution, matched in order. Fixed steps notice an event at the end of
+/// the step that holds it; error control locates it.
+struct RowEvents {
+  long found = 0, expected = 0;
+  std::optional<double> worst_time_error;  // largest |t - true t| of the matched ones, in the unit of t
+};
+
 /// The sizes of accepted steps along a run, thinned out: step[i] was taken at time[i].
 struct RowSteps {
   std::vector<double> time, step;
@@ -84,6 +91,8 @@ struct Row {
   double truth_digits = 0;
   std::map<std::string, double>
       drift;  // largest change of each invariant over the run, relative to its start
+
+  std::optional<RowEvents> events;  // of problems that have any
 
   // how honest, where it was asked for
   std::optional<RowLocal> local;

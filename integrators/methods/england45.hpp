@@ -10,6 +10,7 @@ inline constexpr ExplicitRungeKutta<6> england45{
     .advice = "propagates order 4; of historical interest, fehlberg54 and dormand_prince54 are better",
     .order = 4,
     .embedded_order = 5,
+    .propagates_lower = true,
     .a = {{{},
            {1.0L / 2},
            {1.0L / 4, 1.0L / 4},

@@ -12,6 +12,7 @@ inline constexpr ExponentialRungeKutta<3, LinearPart::jacobian> exprb43{
     .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .order = 4,
     .embedded_order = 3,
+    .jumps_over_poles = true,
     .c = {0, 1.0L / 2, 1},
     .a = {{{}, {}, {{{}, phi(1)}}}},
     .b = {{{}, 16 * phi(3) - 48 * phi(4), 12 * phi(4) - 2 * phi(3)}},

@@ -11,6 +11,7 @@ inline constexpr ExplicitRungeKutta<6> fehlberg45{
         "as Fehlberg meant it, error estimate of what is kept; fehlberg54 is more accurate at the same cost",
     .order = 4,
     .embedded_order = 5,
+    .propagates_lower = true,
     .a = {{{},
            {1.0L / 4},
            {3.0L / 32, 9.0L / 32},

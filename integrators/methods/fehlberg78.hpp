@@ -11,6 +11,7 @@ inline constexpr ExplicitRungeKutta<13> fehlberg78{
     .advice = "as Fehlberg meant it; blind where the right-hand side depends on t alone",
     .order = 7,
     .embedded_order = 8,
+    .propagates_lower = true,
     .a = {{{},
            {2.0L / 27},
            {1.0L / 36, 1.0L / 12},

@@ -15,8 +15,10 @@ inline constexpr FullyImplicitRungeKutta<4> gauss8{
         "J. C. Butcher, Math. Comp. 18 (1964) 50-64; E. Hairer, G. Wanner, Solving ODEs II (1996), IV.5, "
         "theorem 5.2 (zeros of the shifted Legendre polynomial of degree 4)",
     .order = 8,
+    .jumps_over_poles = true,
     .a = collocation_matrix<4>(detail::gauss8_nodes),
     .b = quadrature_weights<4>(detail::gauss8_nodes),
+    .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .advice = "symplectic near round-off for smooth Hamiltonian problems; does not damp stiff springs",
 };
 static_assert(orders_hold(gauss8));

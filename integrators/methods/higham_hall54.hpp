@@ -7,7 +7,7 @@ namespace odemark {
 inline constexpr ExplicitRungeKutta<7> higham_hall54{
     .id = "higham_hall54",
     .source =
-        "D. J. Higham, G. Hall, J. Comput. Appl. Math. 29 (1990) 25-34; Hairer & Wanner, Solving ODEs II, "
+        "D. J. Higham, G. Hall, J. Comput. Appl. Math. 29 (1990) 25-33; Hairer & Wanner, Solving ODEs II, "
         "IV.2",
     .advice = "mildly stiff problems: the step settles at the stability limit without rejections",
     .order = 5,

@@ -9,6 +9,7 @@ inline constexpr FullyImplicitRungeKutta<3> lobatto_iiib4{
         "B. L. Ehle, Univ. of Waterloo CSRR 2010 (1969); E. Hairer, G. Wanner, Solving ODEs II (1996), IV.5, "
         "table 5.9",
     .order = 4,
+    .jumps_over_poles = true,
     .a = {{{1.0L / 6, -1.0L / 6, 0}, {1.0L / 6, 1.0L / 3, 0}, {1.0L / 6, 5.0L / 6, 0}}},
     .b = {1.0L / 6, 2.0L / 3, 1.0L / 6},
     .note = "steps over a singularity: with fixed steps it returns as a finite number",

@@ -9,6 +9,7 @@ inline constexpr FullyImplicitRungeKutta<3> lobatto_iiic4{
         "F. H. Chipman, BIT 11 (1971) 384-388; E. Hairer, G. Wanner, Solving ODEs II (1996), IV.5, table "
         "5.11",
     .order = 4,
+    .jumps_over_poles = true,
     .a = {{{1.0L / 6, -1.0L / 3, 1.0L / 6},
            {1.0L / 6, 5.0L / 12, -1.0L / 12},
            {1.0L / 6, 2.0L / 3, 1.0L / 6}}},

@@ -9,6 +9,7 @@ inline constexpr FullyImplicitRungeKutta<2> radau_ia3{
         "B. L. Ehle, SIAM J. Math. Anal. 4 (1973) 671-680; E. Hairer, G. Wanner, Solving ODEs II (1996), "
         "IV.5, table 5.3",
     .order = 3,
+    .jumps_over_poles = true,
     .a = {{{1.0L / 4, -1.0L / 4}, {1.0L / 4, 5.0L / 12}}},
     .b = {1.0L / 4, 3.0L / 4},
     .note = "steps over a singularity: with fixed steps it returns as a finite number",

@@ -20,6 +20,7 @@ inline constexpr Rosenbrock<2> ros2{
     .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .order = 2,
     .embedded_order = 1,
+    .jumps_over_poles = true,
     .w_method = true,
     .alpha = {{{}, {1}}},
     .gamma = {{{detail::ros2_gamma}, {-2 * detail::ros2_gamma, detail::ros2_gamma}}},

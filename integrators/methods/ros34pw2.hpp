@@ -11,8 +11,10 @@ inline constexpr Rosenbrock<4> ros34pw2{
         "x^3 - 3 x^2 + "
         "3/2 x - 1/6, digits completed by the conditions of order",
     .advice = "order 3 with an old or approximate Jacobian; with an exact one rodas4 is more accurate",
+    .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .order = 3,
     .embedded_order = 2,
+    .jumps_over_poles = true,
     .w_method = true,
     .alpha = {{{},
                {0.87173304301691799883203890L},

@@ -17,6 +17,7 @@ inline constexpr Rosenbrock<3> ros3p{
     .note = "steps over a singularity: with fixed steps it returns as a finite number",
     .order = 3,
     .embedded_order = 2,
+    .jumps_over_poles = true,
     .alpha = {{{}, {1}, {1}}},
     .gamma = {{{detail::ros3p_gamma},
                {-1, detail::ros3p_gamma},

@@ -15,6 +15,7 @@ inline constexpr Rosenbrock<3> rosenbrock23{
     .advice = "stiff problems at 1e-2 to 1e-3, also with a rough Jacobian; for more digits rodas4",
     .order = 2,
     .embedded_order = 3,
+    .propagates_lower = true,
     .w_method = true,
     .alpha = {{{}, {1.0L / 2}, {0, 1}}},
     .gamma = {{{detail::rosenbrock23_d},

@@ -11,8 +11,8 @@ inline constexpr Coefficient crouzeix_gamma = 0.78867513459481288225457439025097
 inline constexpr DiagonallyImplicitRungeKutta<2> sdirk3_crouzeix{
     .id = "sdirk3_crouzeix",
     .source =
-        "M. Crouzeix, thesis, Paris VI (1975); S. P. Norsett, Report 2/74, Trondheim (1974); E. Hairer, G. "
-        "Wanner, Solving ODEs II (1996), IV.6, eq. 6.18",
+        "M. Crouzeix, thesis, Paris VI (1975); S. P. Norsett, Report 6/74, Trondheim (1974); E. Hairer, G. "
+        "Wanner, Solving ODEs II (1996), IV.6",
     .order = 3,
     .a = {{{detail::crouzeix_gamma}, {1 - 2 * detail::crouzeix_gamma, detail::crouzeix_gamma}}},
     .b = {1.0L / 2, 1.0L / 2},

@@ -15,6 +15,7 @@ inline constexpr DiagonallyImplicitRungeKutta<3> tr_bdf2{
         "Shampine, Appl. Numer. Math. 20 (1996) 21-37",
     .order = 2,
     .embedded_order = 3,
+    .propagates_lower = true,
     .a = {{{},
            {1 - detail::tr_bdf2_sqrt2 / 2, 1 - detail::tr_bdf2_sqrt2 / 2},
            {detail::tr_bdf2_sqrt2 / 4, detail::tr_bdf2_sqrt2 / 4, 1 - detail::tr_bdf2_sqrt2 / 2}}},

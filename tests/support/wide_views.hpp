@@ -23,6 +23,15 @@ inline const WidePhase& phase_at(const WideProblem& wide, const Wide& t) {
   return wide.phases[phase];
 }
 
+/// The phase that the solution is in at t, where events decide it.
+inline const WidePhase& phase_at(const AnyProblem& problem, const WideProblem& wide, const Wide& t) {
+  if (!wide.events.jumps) return phase_at(wide, t);
+  std::size_t phase = 0;
+  for (const auto& event : truth_of(problem)->events)
+    if (Wide(event.t.decimal) <= t) phase = event.phase;
+  return wide.phases[phase];
+}
+
 struct Place {
   double t;
   std::vector<double> y;
@@ -47,6 +56,6 @@ std::vector<T> converted(const std::vector<double>& y) {
   return {y.begin(), y.end()};
 }
 
-inline double to_double(const Wide& x) { return x.convert_to<double>(); }
+inline double to_double(const Wide& x) { return static_cast<double>(x); }
 
 }  // namespace odemark
