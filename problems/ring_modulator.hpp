@@ -54,6 +54,7 @@ struct RingModulator {
                       P{"t_end", "s", "end of the interval", &RingModulator::t_end, positive}};
   }
   static constexpr std::array presets{
+      Preset{"ring_modulator", "Cs=1e-9", "one period of the carrier, with a large parasitic capacity"},
       Preset{"ring_modulator_fast", "Cs=2e-12,t_end=3.814697265625e-06",
              "as published but for the end: oscillations of five gigaradians per second"}};
 
