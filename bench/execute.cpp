@@ -5,7 +5,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -43,9 +42,9 @@ class Comparison {
     return run.part_of_comparison && out_of_time_.contains({run.problem->id, run.method->id});
   }
   /// In place of a run that is not worth its time.
-  static Row not_tried(const PlannedRun& planned) {
+  Row not_tried(const PlannedRun& planned) const {
     Row row = describe(*planned.method, *planned.problem, planned.request, planned.plan);
-    row.status = to_string(RunStatus::time_limit);
+    row.status = out_of_time_.at({planned.problem->id, planned.method->id});
     row.reason = "not tried: ran out of time or steps at a looser tolerance";
     return row;
   }
@@ -57,7 +56,7 @@ class Comparison {
   void learn(const PlannedRun& run, const Row& row) {
     if (!run.part_of_comparison) return;
     if (row.status == to_string(RunStatus::time_limit) || row.status == to_string(RunStatus::step_limit))
-      out_of_time_.emplace(run.problem->id, run.method->id);
+      out_of_time_.emplace(std::pair{run.problem->id, run.method->id}, row.status);
     if (row.timing) {
       const double seconds = row.timing->minimum_seconds;
       const auto [best, is_new] = fastest_.emplace(cell(run), seconds);
@@ -69,8 +68,8 @@ class Comparison {
   using Cell = std::pair<std::string, double>;
   static Cell cell(const PlannedRun& run) { return {run.problem->id, run.request.rtol.value_or(0)}; }
 
-  std::set<std::pair<std::string, std::string_view>> out_of_time_;
-  std::map<Cell, double> fastest_;  // by problem and tolerance
+  std::map<std::pair<std::string, std::string_view>, std::string> out_of_time_;  // and by which status
+  std::map<Cell, double> fastest_;                                               // by problem and tolerance
 };
 
 }  // namespace
@@ -94,7 +93,7 @@ bool execute(const std::vector<PlannedRun>& plan, const ExecuteOptions& options)
       RunRequest request = planned.request;
       if (options.jobs > 1) request.timing_repeats = 0;
       if (comparison.hopeless(planned)) {
-        rows[i] = Comparison::not_tried(planned);
+        rows[i] = comparison.not_tried(planned);
         return;
       }
       comparison.prepare(planned, request);

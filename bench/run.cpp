@@ -21,6 +21,7 @@ Control control_of(const RunRequest& request, const AnyProblem& problem) {
   if (request.steps) return FixedSteps{*request.steps, request.compensated};
   ErrorControl control{*request.rtol, request.atol.value_or(*request.rtol), request.filter};
   control.first_step = request.first_step.value_or(0);
+  control.step_limit = request.step_limit;
   control.scale = problem.scale.data();
   return control;
 }

@@ -29,6 +29,7 @@ struct RunRequest {
   double timing_seconds = 0.02;    // repeat until this much time is spent, at least timing_repeats times
   double timed_once_from = 0.05;   // seconds: a run this long is its own average and is not repeated
   double time_limit_seconds = 20;  // of the counted run
+  long step_limit = 10'000'000;    // under error control
   bool trajectory = true;          // compare on the common time grid too
   bool step_sizes = false;         // error control: keep the history of the step
   bool local_errors = false;  // error control: compare single steps with the solution through their start

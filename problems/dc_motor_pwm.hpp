@@ -40,7 +40,7 @@ struct DcMotorPwm {
   }
   static constexpr std::array presets{
       Preset{"dc_motor_pwm", "", "31 periods of 1 kHz: two frames of 60 Hz"},
-      Preset{"dc_motor_pwm_slow", "f=64,duty=0.75,t_end=7/64", "pulses as slow as frames: seven periods"}};
+      Preset{"dc_motor_pwm_slow", "f=64,duty=0.75,t_end=3/64", "pulses as slow as frames: three periods"}};
 
   std::array<double, size> scale() const {
     const double v = std::max(std::abs(double(V)), 1e-3);

@@ -58,15 +58,16 @@ struct DetestF5 {
       const T u = abs(t - T(i));
       sum += u * cube_root(u), start += T(i) * cube_root(T(i));
     }
-    y[0] = from[0] * exp((sum - start) / T(total()));
+    y[0] = from[0] * exp(T(factor()) * (sum - start) * 3 / 4);
   }
 
  private:
   static constexpr int cusps = 19;
-  static Real total() {
+  /// 4/(3 c), rounded where the parameters are.
+  static Real factor() {
     Real sum = 0;
     for (int i = 1; i <= cusps; ++i) sum += Real(i) * cube_root(Real(i));
-    return sum;
+    return 4 / (3 * sum);
   }
   template <class T>
   static T cube_root(const T& x) {
@@ -85,7 +86,7 @@ struct DetestF5 {
       else
         sum -= cube_root(T(T(i) - t));
     }
-    return T(4 / (3 * total())) * sum;
+    return T(factor()) * sum;
   }
 };
 

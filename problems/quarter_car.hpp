@@ -47,7 +47,7 @@ struct QuarterCar {
   std::array<double, size> scale() const {
     const double x = std::max({std::abs(double(A)), std::abs(double(xs0)), 1e-3}),
                  rate = std::max(double(W), std::sqrt(double(ks) / double(ms)));
-    return {x, x, x * rate, x * rate};
+    return {x, x, x * rate, 2 * x * rate};
   }
   double suggested_dt() const {
     return 0.125 /

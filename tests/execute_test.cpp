@@ -174,10 +174,10 @@ TEST(Execute, AComparisonDoesNotWaitForMethodsThatRanOutOfTime) {
   ASSERT_GE(hopeless.size(), 3u);
   ASSERT_GE(others.size(), 10u);
   EXPECT_EQ(hopeless.size() + others.size(), runs.size());
-  EXPECT_EQ(hopeless[0].status, "time_limit");
+  EXPECT_EQ(hopeless[0].status, "step_limit");
   EXPECT_GT(hopeless[0].accepted, 0);
   for (std::size_t i = 1; i < hopeless.size(); ++i) {
-    EXPECT_EQ(hopeless[i].status, "time_limit");
+    EXPECT_EQ(hopeless[i].status, "step_limit");
     EXPECT_EQ(hopeless[i].accepted, 0);
     EXPECT_TRUE(hopeless[i].reason.starts_with("not tried")) << hopeless[i].reason;
     EXPECT_EQ(hopeless[i].rtol, std::pow(10.0, -2.0 - static_cast<double>(i)));

@@ -48,12 +48,16 @@ TEST(Split, AForceThatClaimsNoVelocityHasNone) {
     const std::size_t half = problem.size() / 2;
     bool depends = false;
     for (const auto& place : places_of(problem, 8)) {
-      auto faster = place.y;
-      for (std::size_t i = half; i < faster.size(); ++i) faster[i] += problem.scale[i];
-      std::vector<double> a(half), b(half);
+      auto faster = place.y, back = place.y;  // friction that is at its greatest only changes its sign
+      for (std::size_t i = half; i < faster.size(); ++i) {
+        faster[i] += problem.scale[i];
+        back[i] = -back[i];
+      }
+      std::vector<double> a(half), b(half), c(half);
       problem.system<double>().acceleration(place.t, place.y, a.data());
       problem.system<double>().acceleration(place.t, faster, b.data());
-      depends = depends || !same_bits(a, b);
+      problem.system<double>().acceleration(place.t, back, c.data());
+      depends = depends || !same_bits(a, b) || !same_bits(a, c);
     }
     const bool separable = problem.abilities & Ability::separable;
     EXPECT_EQ(problem.system<double>().force_depends_on_velocity(), !separable);
