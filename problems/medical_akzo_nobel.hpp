@@ -38,6 +38,8 @@ struct MedicalAkzoNobel {
         P{"t_end", "", "end of the interval", &MedicalAkzoNobel::t_end, positive}};
   }
   static constexpr std::array presets{
+      Preset{"medical_akzo_nobel", "t_off=1,t_end=2",
+             "supplied until t = 1, then not: the boundary jumps (published: 5 and 20)"},
       Preset{"medical_akzo_nobel_supplied", "t_end=4", "before the jump: smooth"}};
 
   std::array<double, size> scale() const {
