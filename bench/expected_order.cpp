@@ -1,5 +1,7 @@
 #include "bench/expected_order.hpp"
 
+#include <array>
+
 #include "integrators/lowered_order.hpp"
 
 namespace odemark {
@@ -19,6 +21,18 @@ bool contracts(const AnyProblem& problem) {
   return trace < -1e-12 * size;
 }
 
+/// Damping, or anything else that asks how fast the body turns: is another torque felt at another rate?
+bool torque_depends_on_rate(const AnyProblem& problem) {
+  if (!(problem.abilities & Ability::rotation)) return false;
+  const auto& system = problem.system<double>();
+  std::vector<double> faster = problem.initial;
+  for (std::size_t i = 0; i < 3; ++i) faster[system.place.rate + i] += 1;
+  std::array<double, 3> before{}, after{};
+  system.torque(problem.t_begin, problem.initial, before.data());
+  system.torque(problem.t_begin, faster, after.data());
+  return before != after;
+}
+
 }  // namespace
 
 ExpectedOrder expected_order(const AnyMethod& method, const AnyProblem& problem) {
@@ -29,6 +43,8 @@ ExpectedOrder expected_order(const AnyMethod& method, const AnyProblem& problem)
   if (sees_velocity)
     if (const int order = order_with_damping(theory, method.order); order < method.order)
       return {order, "the force depends on velocity"};
+  if (method.order_with_rate_torque > 0 && torque_depends_on_rate(problem))
+    return {method.order_with_rate_torque, "the torque depends on the rate"};
   if (contracts(problem) && is_weakly_stable(theory))
     return {0, "a second root on the unit circle grows where the flow contracts"};
   return {method.order};

@@ -45,11 +45,13 @@ RowErrors errors_from(const Json& j) {
 }
 
 Json timing_json(const RowTiming& t) {
-  Json j = {{"repeats", t.repeats}, {"tier", t.tier}};
-  put(j, "minimum_seconds", t.minimum_seconds), put(j, "median_seconds", t.median_seconds);
-  put(j, "mad_seconds", t.mad_seconds), put(j, "ns_per_step", t.ns_per_step);
-  put(j, "ns_per_simulated_second", t.ns_per_simulated_second);
-  return j;
+  return {{"minimum_seconds", t.minimum_seconds},
+          {"median_seconds", t.median_seconds},
+          {"mad_seconds", t.mad_seconds},
+          {"repeats", t.repeats},
+          {"ns_per_step", t.ns_per_step},
+          {"ns_per_simulated_second", t.ns_per_simulated_second},
+          {"tier", t.tier}};
 }
 RowTiming timing_from(const Json& j) {
   return {number(j, "minimum_seconds"),

@@ -55,6 +55,7 @@ struct AnyMethod {
   std::string_view id, kind, source;
   std::string_view provider = "odemark";  // or "sundials", "gsl", "odeint"
   int order = 0, embedded_order = 0;
+  int order_with_rate_torque = 0;  // rotation methods: lower where a torque depends on the rate; 0: it stands
   unsigned needs = 0;
   bool takes_fixed_steps = true, takes_error_control = false, compensated = false, multistep = false;
   std::string_view starter = "";  // of a multistep method

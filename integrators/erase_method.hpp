@@ -113,6 +113,8 @@ AnyMethod erase_method() {
   any.order = method.order, any.embedded_order = method.embedded_order, any.needs = Kind::needs;
   any.theory = [] { return method.theory(); };
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
+  if constexpr (requires { method.order_with_rate_torque; })
+    any.order_with_rate_torque = method.order_with_rate_torque;
   if constexpr (requires { method.note; }) any.note = method.note;
   if constexpr (requires { method.advice; }) any.advice = method.advice;
   if constexpr (requires { Kind::solves_equations; }) any.solves_equations = Kind::solves_equations;

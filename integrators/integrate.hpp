@@ -242,7 +242,7 @@ template <Stepper S, class P, class Observer>
     const double square = newton_failed ? std::numeric_limits<double>::quiet_NaN()
                                         : mean_square_of(stepper, error, y, next, relative, floors);
     const auto change_step = [&] {
-      Real factor;
+      Real factor{};
       if (chooses_steps(stepper)) {
         if constexpr (ChoosesSteps<S>) factor = stepper.own_factor(h, std::sqrt(square));
       } else {

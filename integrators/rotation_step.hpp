@@ -20,6 +20,7 @@ struct RotationStep {
   int order;
   int embedded_order = 0;
   F step{};
+  int order_with_rate_torque = 0;  // where a torque depends on the rate; 0: the order stands
   std::string_view note = "", advice = "";
 
   Theory theory() const {

@@ -125,8 +125,14 @@ ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
   OrderOptions options;
   options.slack = std::max(options.slack, 0.04 * order);
   options.slope_scatter = std::max(options.slope_scatter, 0.03 * order);
-  // on the last six decades above round-off; what is above is on the way to the order and tells nothing
-  if (order >= lowest_high_order) options.largest_error = 1e-11;
+  // on the last six decades that the ladder reaches; what is above is on the way to the order and tells
+  // nothing
+  if (order >= lowest_high_order) {
+    double least = 1;
+    for (const Row& row : rows)
+      if (row.errors && row.errors->scaled > 0) least = std::min(least, row.errors->scaled);
+    options.largest_error = std::max(1e-11, 1e6 * least);
+  }
   return observed_order(rows, options);
 }
 

@@ -39,10 +39,8 @@ inline constexpr RotationStep<detail::RigidBodySplitting> rigid_body_splitting{
         "doi:10.1063/1.474310; "
         "J. Touma, J. Wisdom, Astron. J. 107 (1994) 1189-1202, doi:10.1086/116931",
     .order = 2,
-    .note =
-        "keeps the momentum in space to round-off and the energy within a bound; order 1 where the torque "
-        "depends on "
-        "the rate",
+    .order_with_rate_torque = 1,
+    .note = "keeps the momentum in space to round-off and the energy within a bound",
     .advice = "molecules, satellites, free tumbling for ever; not with strong damping torques",
 };
 

@@ -38,6 +38,11 @@ struct StrictFloat {
   friend StrictFloat sqrt(StrictFloat x) { return StrictFloat(std::sqrt(x.value)); }
   friend StrictFloat exp(StrictFloat x) { return StrictFloat(std::exp(x.value)); }
   friend StrictFloat log(StrictFloat x) { return StrictFloat(std::log(x.value)); }
+  friend StrictFloat atan(StrictFloat x) { return StrictFloat(std::atan(x.value)); }
+  friend StrictFloat sinh(StrictFloat x) { return StrictFloat(std::sinh(x.value)); }
+  friend StrictFloat cosh(StrictFloat x) { return StrictFloat(std::cosh(x.value)); }
+  friend StrictFloat tanh(StrictFloat x) { return StrictFloat(std::tanh(x.value)); }
+  friend StrictFloat pow(StrictFloat x, StrictFloat p) { return StrictFloat(std::pow(x.value, p.value)); }
   friend StrictFloat sin(StrictFloat x) { return StrictFloat(std::sin(x.value)); }
   friend StrictFloat cos(StrictFloat x) { return StrictFloat(std::cos(x.value)); }
   friend StrictFloat abs(StrictFloat x) { return StrictFloat(std::abs(x.value)); }
