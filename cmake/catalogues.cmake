@@ -1,12 +1,34 @@
-# Reads integrators/catalogue.txt and problems/catalogue.txt and writes what follows from them: one unit per file of methods,
-# one per family, and for the static tier one per `static` family and chunk of `static` methods. A method or a family is one file and
-# one line; nothing else names them.
+# Reads integrators/catalogue.txt and problems/catalogue.txt and writes what follows from them: units of methods and of families, and for
+# the static tier one per `static` family and chunk of `static` methods. A method or a family is one file and one line; nothing else
+# names them.
 set(ODEMARK_GENERATED ${PROJECT_BINARY_DIR}/generated)
 
 # Touches a file only when its content changes, so that a configure does not rebuild the world.
 function(odemark_write path content)
   file(CONFIGURE OUTPUT ${path} CONTENT "${content}" @ONLY)
 endfunction()
+
+# Methods and families share units of a few, because what they have in common is then compiled once. Which unit is theirs
+# follows from the name alone: a new one changes one unit.
+function(odemark_group out groups name)
+  string(MD5 hash ${name})
+  string(SUBSTRING ${hash} 0 4 hash)
+  math(EXPR number "0x${hash} % ${groups}")
+  set(${out} ${number} PARENT_SCOPE)
+endfunction()
+macro(odemark_write_groups units kind groups header)
+  math(EXPR last "${groups} - 1")
+  foreach(group RANGE ${last})
+    if(DEFINED ${kind}_code_${group})
+      odemark_write(${ODEMARK_GENERATED}/${kind}/${group}.cpp
+"${${kind}_headers_${group}}#include \"${header}\"
+namespace odemark {
+${${kind}_code_${group}}}
+")
+      list(APPEND ${units} ${ODEMARK_GENERATED}/${kind}/${group}.cpp)
+    endif()
+  endforeach()
+endmacro()
 
 # methods: ids; method_files: file stem of each
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
@@ -53,14 +75,11 @@ foreach(method ${ODEMARK_METHODS})
   string(APPEND calls "    methods.push_back(erased_${method}());\n")
 endforeach()
 foreach(file ${files})
-  odemark_write(${ODEMARK_GENERATED}/methods/${file}.cpp
-"#include \"integrators/methods/${file}.hpp\"
-#include \"integrators/erase_method.hpp\"
-namespace odemark {
-${unit_of_${file}}}
-")
-  list(APPEND ODEMARK_METHOD_UNITS ${ODEMARK_GENERATED}/methods/${file}.cpp)
+  odemark_group(group 48 ${file})
+  string(APPEND methods_headers_${group} "#include \"integrators/methods/${file}.hpp\"\n")
+  string(APPEND methods_code_${group} "${unit_of_${file}}")
 endforeach()
+odemark_write_groups(ODEMARK_METHOD_UNITS methods 48 "integrators/erase_method.hpp")
 list(REMOVE_DUPLICATES ODEMARK_METHODS)
 string(REPLACE ";" ", " names "${ODEMARK_METHODS}")
 odemark_write(${ODEMARK_GENERATED}/include/integrators/catalogue.hpp
@@ -118,24 +137,14 @@ foreach(line ${lines})
   string(APPEND calls "    families.push_back(family_${id}());\n")
   string(APPEND wide_declarations "WideFamily wide_${id}();\n")
   string(APPEND wide_calls "    families.push_back(wide_${id}());\n")
-  odemark_write(${ODEMARK_GENERATED}/families/${id}.cpp
-"#include \"problems/${id}.hpp\"
-#include \"reference/make_family.hpp\"
-namespace odemark {
-AnyFamily family_${id}();
-AnyFamily family_${id}() { return make_family<${type}>(); }
-}
-")
-  odemark_write(${ODEMARK_GENERATED}/wide/${id}.cpp
-"#include \"problems/${id}.hpp\"
-#include \"reference/make_wide_family.hpp\"
-namespace odemark {
-WideFamily wide_${id}();
-WideFamily wide_${id}() { return make_wide_family<${type}>(); }
-}
-")
-  list(APPEND ODEMARK_FAMILY_UNITS ${ODEMARK_GENERATED}/families/${id}.cpp)
-  list(APPEND ODEMARK_WIDE_UNITS ${ODEMARK_GENERATED}/wide/${id}.cpp)
+  odemark_group(group 24 ${id})
+  foreach(kind families wide)
+    string(APPEND ${kind}_headers_${group} "#include \"problems/${id}.hpp\"\n")
+  endforeach()
+  string(APPEND families_code_${group}
+    "AnyFamily family_${id}();\nAnyFamily family_${id}() { return make_family<${type}>(); }\n")
+  string(APPEND wide_code_${group}
+    "WideFamily wide_${id}();\nWideFamily wide_${id}() { return make_wide_family<${type}>(); }\n")
   if(tier AND ODEMARK_STATIC_TIER)
     list(APPEND ODEMARK_STATIC_FAMILIES ${id})
     set(chunk "")
@@ -180,6 +189,8 @@ void static_${id}_${chunk_number}(std::vector<StaticRun>& runs) { add_static_run
     endforeach()
   endif()
 endforeach()
+odemark_write_groups(ODEMARK_FAMILY_UNITS families 24 "reference/make_family.hpp")
+odemark_write_groups(ODEMARK_WIDE_UNITS wide 24 "reference/make_wide_family.hpp")
 odemark_write(${ODEMARK_GENERATED}/suite_families.cpp
 "#include \"reference/any_problem.hpp\"
 namespace odemark {
