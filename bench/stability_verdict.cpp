@@ -28,7 +28,8 @@ void compare_bands(const StabilityRow& row, const std::string& who, std::vector<
   const auto close = [&](double a, double b) { return std::abs(a - b) <= 1e-6 * b + 10 * row.resolution; };
   const auto& expected =
       row.theory_as_seen_verdict.empty() ? row.theory_later_bands : row.theory_as_seen_bands;
-  for (const auto& [low, high] : expected) {
+  for (const auto& expected_band : expected) {
+    const double low = expected_band.first, high = expected_band.second;
     if (low > row.scanned_to || high - low < 0.01 * low + 0.04 / row.fastest_rate) continue;
     const double end = std::min(high, row.scanned_to);
     if (std::none_of(row.later_bands.begin(), row.later_bands.end(),
@@ -37,13 +38,13 @@ void compare_bands(const StabilityRow& row, const std::string& who, std::vector<
           fmt::format("{}: theory has it stable again from dt = {:.9g} s to {:.9g} s, the stepper is not",
                       who, low, high));
   }
-  for (const auto& [low, high] : row.later_bands)
+  for (const auto& seen : row.later_bands)
     if (std::none_of(expected.begin(), expected.end(), [&](const auto& band) {
-          return close(low, band.first) && close(high, std::min(band.second, row.scanned_to));
+          return close(seen.first, band.first) && close(seen.second, std::min(band.second, row.scanned_to));
         }))
       faults.push_back(fmt::format(
           "{}: the stepper is stable again from dt = {:.9g} s to {:.9g} s, which theory does not have", who,
-          low, high));
+          seen.first, seen.second));
 }
 
 void compare_growth(const StabilityRow& row, const std::string& who, std::vector<std::string>& faults) {

@@ -169,7 +169,7 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
     if (expected >= lowest_high_order && (proved || method.order > 10)) {
       if (order.slope) {
         slopes.push_back(*order.slope / expected);
-        EXPECT_GE(slopes.back(), proved ? 0.9 : 0.75) << ground.problem.id;
+        EXPECT_GE(slopes.back(), proved ? 0.85 : 0.75) << ground.problem.id;
       }
       continue;
     }

@@ -11,12 +11,11 @@ fail() { # exit code, sentence
   exit "$1"
 }
 
-# Prints the packages of the list that this machine lacks. $1: `run`, `test` or `ci`; $2: `required` or `optional`.
+# Prints the packages of the list that this machine lacks. $1: `run` or `test`; $2: `required` or `optional`.
 lacking() {
   local names words alternative
   while read -r names words; do
     [[ $1 == run && " $words " == *" test "* ]] && continue
-    [[ $1 != ci && " $words " == *" ci "* ]] && continue
     [[ $2 == optional && " $words " != *" optional "* ]] && continue
     [[ $2 == required && " $words " == *" optional "* ]] && continue
     for alternative in ${names//|/ }; do
@@ -32,7 +31,7 @@ apt() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@" >&2
 }
 
-# Brings the machine to the list. $1: `run`, `test` or `ci`; $2: `yes` or `no`, whether installing is allowed.
+# Brings the machine to the list. $1: `run` or `test`; $2: `yes` or `no`, whether installing is allowed.
 ensure_packages() {
   local required optional
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
