@@ -217,7 +217,8 @@ Results parse_results(std::string_view all, std::string_view name) {
 Results read_results(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw BadResults(fmt::format("cannot read {}: run `odemark run` first, or say where with -o", path));
+    throw BadResults(
+        fmt::format("cannot read {}: `odemark run` writes it, into the folder that its -o names", path));
   std::ostringstream all;
   all << file.rdbuf();
   return parse_results(all.str(), path);

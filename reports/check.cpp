@@ -76,6 +76,7 @@ BaselineFile load_baseline(const std::optional<std::string>& text, std::string_v
     file.baseline = parse_baseline(*text, name);
   } catch (const BadBaseline& e) {
     file.problem = e.what();
+    file.damaged = true;
   }
   return file;
 }
@@ -92,6 +93,8 @@ CheckResult check(const std::vector<Row>& rows, const std::vector<StabilityRow>&
   const auto chosen = [&](const std::string& name) {
     return options.only.empty() || std::regex_search(name, only);
   };
+  if (baseline.damaged || (options.baseline_named && !baseline.baseline))
+    throw std::invalid_argument(baseline.problem);
   CheckResult result;
   result.thresholds_name = thresholds.name, result.baseline_name = baseline.name;
   const auto cases = cases_of(rows, stability);
@@ -130,9 +133,12 @@ CheckResult check(const std::vector<Row>& rows, const std::vector<StabilityRow>&
                                          needed ? Outcome::missing : Outcome::note, baseline.problem));
   }
   if (options.only.empty()) {
-    for (const auto& [glob, line] : unmatched)
-      result.findings.push_back(
-          about_file(glob, "rule", Outcome::note, "the rule matches no executed case", line));
+    for (const auto& [glob, rule] : unmatched)
+      result.findings.push_back(about_file(
+          glob, "rule", rule->optional ? Outcome::note : Outcome::missing,
+          rule->optional ? "the optional rule matches no executed case"
+                         : "the rule matches no executed case: run one, or say optional = true in the rule",
+          rule->line));
     for (const auto& [line, what] : sought)
       if (!what.found)
         result.findings.push_back(about_file(thresholds.name, what.metric, Outcome::missing,

@@ -34,12 +34,14 @@ struct CheckOptions {
   bool strict = false;  // final states must equal the baseline's bit for bit
   std::string today{};  // YYYY-MM-DD: skips past their `until` end; empty: none does
   std::string only{};   // regular expression on case names; throws std::invalid_argument if it is none
+  bool baseline_named = false;  // by the user: then it must be there
 };
 
-/// A baseline that may be absent or unreadable; `problem` then says why in one sentence.
+/// A baseline that may be absent or damaged; `problem` then says why in one sentence.
 struct BaselineFile {
   std::optional<Baseline> baseline;
   std::string name, problem;
+  bool damaged = false;
 };
 
 /// Never throws: what is wrong with the text becomes `problem`. No text: the file is absent.
@@ -52,7 +54,8 @@ struct CheckResult {
   std::vector<Finding> findings;   // in the order of the rows; passes included
 };
 
-/// Throws BadThresholds where a rule names a case that was not run.
+/// Throws BadThresholds where a rule names a case that was not run, std::invalid_argument for a damaged
+/// baseline and for one that the user named and that is not there.
 CheckResult check(const std::vector<Row>& rows, const std::vector<StabilityRow>& stability,
                   const Thresholds& thresholds, const BaselineFile& baseline, const RunHeader& header = {},
                   const CheckOptions& options = {});

@@ -33,8 +33,10 @@ std::string headline(const CheckResult& result) {
 }
 
 std::string counts_in_words(const CheckResult& result) {
-  std::string words = fmt::format("{} failed, {} passed", count(result, Outcome::fail),
-                                  count(result, Outcome::pass) + count(result, Outcome::note));
+  std::string words =
+      fmt::format("{} failed, {} passed", count(result, Outcome::fail), count(result, Outcome::pass));
+  if (const int n = count(result, Outcome::note); n > 0)
+    words += fmt::format(", {} note{}", n, n == 1 ? "" : "s");
   for (const Outcome outcome : {Outcome::improved, Outcome::skipped, Outcome::missing, Outcome::no_reference})
     if (const int n = count(result, outcome); n > 0) words += fmt::format(", {} {}", n, to_string(outcome));
   return words;
@@ -56,6 +58,10 @@ std::string to_console(const CheckResult& result) {
       if (const auto where = where_of(result, *finding); !where.empty()) line += "  " + where;
       text += line + '\n';
     }
+  if (result.compared == 0)
+    text += fmt::format(
+        "{:<12}  nothing was compared: neither {} nor the baseline demands anything of a case that was run\n",
+        "MISSING", result.thresholds_name);
   return text + fmt::format("{}  exit {}\n", counts_in_words(result), exit_code(result));
 }
 

@@ -167,9 +167,8 @@ std::string in_words(const RunSelector& runs) {
   return "";
 }
 
-std::vector<std::pair<std::string, int>> unmatched_globs(const Thresholds& thresholds,
-                                                         const std::vector<GateCase>& cases) {
-  std::vector<std::pair<std::string, int>> unmatched;
+std::vector<Unmatched> unmatched_globs(const Thresholds& thresholds, const std::vector<GateCase>& cases) {
+  std::vector<Unmatched> unmatched;
   for (const Rule& rule : thresholds.rules)
     for (const auto& glob : rule.cases) {
       Rule one = rule;
@@ -177,8 +176,8 @@ std::vector<std::pair<std::string, int>> unmatched_globs(const Thresholds& thres
       const bool hit = std::any_of(cases.begin(), cases.end(),
                                    [&](const GateCase& c) { return c.was_run() && matches(one, c); });
       if (hit) continue;
-      if (!is_glob(glob)) refuse_name(thresholds, rule, glob, cases);
-      unmatched.emplace_back(glob, rule.line);
+      if (!is_glob(glob) && !rule.optional) refuse_name(thresholds, rule, glob, cases);
+      unmatched.push_back({glob, &rule});
     }
   return unmatched;
 }

@@ -53,9 +53,13 @@ Demands demands_on(const GateCase& gate_case, const Thresholds& thresholds, cons
 std::vector<const Row*> select_runs(const GateCase& gate_case, const RunSelector& runs);
 std::string in_words(const RunSelector& runs);
 
-/// Globs that matched no executed case, with the line of their rule. Throws BadThresholds for one without
-/// wildcards.
-std::vector<std::pair<std::string, int>> unmatched_globs(const Thresholds& thresholds,
-                                                         const std::vector<GateCase>& cases);
+/// A part of a rule's `case` that matched no executed case.
+struct Unmatched {
+  std::string glob;
+  const Rule* rule;
+};
+
+/// Throws BadThresholds for one without wildcards whose rule is not optional.
+std::vector<Unmatched> unmatched_globs(const Thresholds& thresholds, const std::vector<GateCase>& cases);
 
 }  // namespace odemark

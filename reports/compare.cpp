@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "reports/compare_fate.hpp"
+#include "reports/compare_limits.hpp"
 #include "reports/format.hpp"
 #include "reports/numbers.hpp"
 #include "reports/observed_order.hpp"
@@ -15,32 +17,6 @@
 
 namespace odemark {
 namespace {
-
-enum class Fate { same, changed, improved, regressed };
-
-struct FateWord {
-  std::string_view word;
-  Status status;
-};
-FateWord in_words(Fate fate) {
-  switch (fate) {
-    case Fate::same: return {"same", Status::muted};
-    case Fate::changed: return {"changed", Status::note};
-    case Fate::improved: return {"improved", Status::ok};
-    case Fate::regressed: return {"regressed", Status::fail};
-  }
-  return {"", Status::plain};
-}
-
-bool is_shown(Fate fate, CompareFilter filter) {
-  switch (filter) {
-    case CompareFilter::all: return true;
-    case CompareFilter::regressed: return fate == Fate::regressed;
-    case CompareFilter::improved: return fate == Fate::improved;
-    case CompareFilter::changed: return fate != Fate::same;
-  }
-  return true;
-}
 
 double error_of_row(const Row& row) { return row.errors ? row.errors->scaled : absent; }
 
@@ -111,15 +87,6 @@ Index index_of(const std::vector<Row>& rows) {
   return index;
 }
 
-void count_fate(Comparison& comparison, Fate fate) {
-  switch (fate) {
-    case Fate::same: ++comparison.same; break;
-    case Fate::changed: ++comparison.changed; break;
-    case Fate::improved: ++comparison.improved; break;
-    case Fate::regressed: ++comparison.regressed; break;
-  }
-}
-
 void add_orders(Table& table, const NamedRows& first, const NamedRows& other, CompareFilter filter,
                 const CompareOptions& options) {
   std::map<CurveId, ObservedOrder> before;
@@ -170,7 +137,12 @@ Comparison compare(const std::vector<NamedRows>& sets, CompareFilter filter, con
   result.orders.columns = {{"case"},          {"in"},         {"claimed", right},
                            {"before", right}, {"now", right}, {"change", right},
                            {"verdict"}};
-  result.one_side = {"compare-one-side", "Runs in one file only", "", {{"run"}, {"only in"}}, {}};
+  result.limits = {"compare-limits",
+                   "Largest stable dt",
+                   "",
+                   {{"limit"}, {"in"}, {"before", right, "s"}, {"now", right, "s"}, {"verdict"}},
+                   {}};
+  result.one_side = {"compare-one-side", "In one file only", "", {{"run or limit"}, {"only in"}}, {}};
 
   const Index before = index_of(first.rows);
   for (std::size_t i = 1; i < sets.size(); ++i) {
@@ -193,6 +165,7 @@ Comparison compare(const std::vector<NamedRows>& sets, CompareFilter filter, con
       result.runs.rows.push_back(std::move(cells));
     }
     add_orders(result.orders, first, sets[i], filter, options);
+    compare_limits(result, first, sets[i], filter);
   }
   return result;
 }

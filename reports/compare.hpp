@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/data/row.hpp"
+#include "bench/data/stability.hpp"
 #include "reports/table.hpp"
 
 namespace odemark {
@@ -12,6 +13,7 @@ namespace odemark {
 struct NamedRows {
   std::string name;
   std::vector<Row> rows;
+  std::vector<StabilityRow> stability{};
 };
 
 enum class CompareFilter { all, regressed, improved, changed };
@@ -27,8 +29,9 @@ struct CompareOptions {
 struct Comparison {
   Table runs;                                              // matched by id: errors, evaluations, times
   Table orders;                                            // per method and problem
-  Table one_side;                                          // runs that only one of the files has
-  int regressed = 0, improved = 0, changed = 0, same = 0;  // runs, before the filter
+  Table limits;                                            // largest stable dt, per method and problem
+  Table one_side;                                          // runs and limits that only one of the files has
+  int regressed = 0, improved = 0, changed = 0, same = 0;  // runs and limits, before the filter
 };
 
 /// The first is what the others are compared with. Throws std::invalid_argument for fewer than two.

@@ -148,6 +148,8 @@ Rule Reader::rule(const toml::node& node) const {
       rule.scalar = text(value, "scalar");
     else if (key == "compensated")
       rule.compensated = flag(value, "compensated");
+    else if (key == "optional")
+      rule.optional = flag(value, "optional");
     else if (key == "skip")
       rule.skip = flag(value, "skip");
     else if (key == "reason")
@@ -172,9 +174,10 @@ Rule Reader::rule(const toml::node& node) const {
       rule.stability_verdict = StabilityVerdictDemand{
           line, is_off(value), one_of(value, "stability_verdict", {"limit", "unstable", "unlimited", "off"})};
     else
-      unknown(key, "a rule",
-              "case, provider, scalar, compensated, skip, reason, until, order, error, drift, status, "
-              "evaluations, baseline_factor, stability, stability_verdict");
+      unknown(
+          key, "a rule",
+          "case, provider, scalar, compensated, optional, skip, reason, until, order, error, drift, status, "
+          "evaluations, baseline_factor, stability, stability_verdict");
   }
   if (rule.cases.empty()) refuse(rule.line, "a rule needs case = \"problem/method\"");
   for (const auto& glob : rule.cases)

@@ -81,6 +81,7 @@ struct Rule {
   std::string provider = "odemark";  // glob
   std::string scalar = "double";     // glob
   bool compensated = false;
+  bool optional = false;  // it may match nothing that was run
 
   std::optional<bool> skip;
   std::string reason, until;  // of the skip; until is YYYY-MM-DD, the last day on which it is skipped

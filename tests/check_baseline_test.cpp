@@ -60,17 +60,27 @@ TEST(baseline, damage_is_told_and_never_passes) {
   }
   std::string other = text;
   other.replace(other.find("\"schema\":2"), 10, "\"schema\":7");
-  const auto result = gate_against(other, good_rows());
-  EXPECT_EQ(exit_code(result), 3);
-  EXPECT_THAT(to_console(result), HasSubstr("it has schema 7, this odemark reads 2"));
+  const std::string no_baseline_needed = "[[rule]]\ncase = \"*/*\"\norder = \"claimed\"";
+  const auto refusal = [&](const std::optional<std::string>& baseline, bool named) -> std::string {
+    try {
+      gate_against(baseline, good_rows(), no_baseline_needed, {.baseline_named = named});
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(refusal(other, false), HasSubstr("it has schema 7, this odemark reads 2"));
+  EXPECT_THAT(refusal("{", false), HasSubstr("baseline.json: cut or damaged"));
+  EXPECT_THAT(refusal(std::nullopt, true), HasSubstr("there is no baseline.json"));
+  EXPECT_EQ(refusal(std::nullopt, false), "accepted");
+  EXPECT_EQ(refusal(text, true), "accepted");
   for (const char* bad : {"[]", "null", "{\"schema\":1e300}", "{\"schema\":1}", "{\"schema\":2}",
                           "{\"schema\":18446744073709551615}"})
     EXPECT_THROW(parse_baseline(bad), BadBaseline) << bad;
   const auto absent = gate_against(std::nullopt, good_rows());
   EXPECT_EQ(exit_code(absent), 3);
   EXPECT_THAT(to_console(absent), HasSubstr("there is no baseline.json"));
-  EXPECT_EQ(
-      exit_code(gate_against(std::nullopt, good_rows(), "[[rule]]\ncase = \"*/*\"\norder = \"claimed\"")), 0)
+  EXPECT_EQ(exit_code(gate_against(std::nullopt, good_rows(), no_baseline_needed)), 0)
       << "a file that speaks of no baseline needs none";
 }
 

@@ -81,10 +81,14 @@ TEST(check_console, says_what_was_compared_and_how_it_ends) {
   EXPECT_THAT(text, HasSubstr("3 more are not applicable"));
   EXPECT_THAT(text, HasSubstr("thresholds.toml:16\n"));
   EXPECT_THAT(text, HasSubstr("(and 1 more)"));
-  EXPECT_THAT(text, testing::EndsWith("1 failed, 2 passed, 1 improved, 1 skipped, 1 missing, 1 no reference  "
-                                      "exit 1\n"));
+  EXPECT_THAT(text, testing::EndsWith("1 failed, 1 passed, 1 note, 1 improved, 1 skipped, 1 missing, 1 no "
+                                      "reference  exit 1\n"));
   EXPECT_LT(text.find("FAIL "), text.find("MISSING"));
   EXPECT_THAT(to_console({}), HasSubstr("compared 0 of 0 cases"));
+  const std::string nothing = to_console(gate(good_rows(), ""));
+  EXPECT_THAT(nothing, HasSubstr("compared 0 of 4 cases"));
+  EXPECT_THAT(nothing, HasSubstr("nothing was compared: neither thresholds.toml nor"));
+  EXPECT_THAT(nothing, testing::EndsWith("0 failed, 0 passed  exit 3\n"));
 }
 
 TEST(check_markdown, puts_failures_first_and_ends_in_time) {

@@ -51,6 +51,7 @@ TEST(thresholds, mistakes_name_their_line) {
       {"evaluations = { max_factor = 0.5 }", "t.toml:4: max_factor is a factor of 1 or more, not 0.5"},
       {"stability = { rel = true }", "t.toml:4: rel must be a finite number"},
       {"stability_verdict = \"shaky\"", "t.toml:4: stability_verdict = \"shaky\" is not known"},
+      {"optional = 1", "t.toml:4: optional must be true or false"},
       {"skip = \"yes\"", "t.toml:4: skip must be true or false"},
       {"skip = true", "t.toml:2: skip = true needs a reason"},
       {"skip = true\nreason = \"r\"\norder = \"claimed\"", "t.toml:2: a rule that skips cannot demand"},
@@ -89,6 +90,7 @@ case = ["kepler*/rk?", "x/y"]
 provider = "*"
 scalar = "float"
 compensated = true
+optional = true
 order = { min = 3, max = 5, inconclusive = "note" }
 error = [{ at_dt = 0.1, max = 1e-3 }, { at_tol = 1e-6, max = 1e-3, norm = "phase" }]
 drift = { invariant = "energy", max = 1, from_dt = 0.5 }
@@ -102,9 +104,10 @@ stability_verdict = "unlimited"
   EXPECT_EQ(all.defaults.require_status->expected.size(), 2u);
   EXPECT_EQ(all.defaults.require_status->runs.kind, RunSelector::Kind::finest);
   ASSERT_EQ(all.rules.size(), 1u);
+  EXPECT_TRUE(all.rules[0].optional);
   const Rule& rule = all.rules[0];
   EXPECT_EQ(rule.line, 9);
-  EXPECT_EQ(rule.order->line, 14);
+  EXPECT_EQ(rule.order->line, 15);
   EXPECT_FALSE(rule.order->inconclusive_fails);
   EXPECT_EQ(rule.error->at(1).norm, "phase");
   EXPECT_EQ(rule.error->at(1).runs.kind, RunSelector::Kind::at_tol);
@@ -149,8 +152,15 @@ TEST(thresholds, names_that_were_not_run_are_refused) {
   EXPECT_THAT(refused("kepler/rk4", rows), HasSubstr("needs a Jacobian"));
   EXPECT_EQ(refused("lorenz*/rk4"), "accepted");
   const auto result = gate(good_rows(), "[[rule]]\ncase = [\"lorenz*/rk4\", \"*/rk4\"]\norder = \"claimed\"");
-  EXPECT_EQ(exit_code(result), 0);
-  EXPECT_EQ(finding_of(result, "lorenz*/rk4", "rule").outcome, Outcome::note);
+  EXPECT_EQ(finding_of(result, "lorenz*/rk4", "rule").outcome, Outcome::missing);
+  EXPECT_EQ(finding_of(result, "lorenz*/rk4", "rule").line, 2);
+  EXPECT_EQ(exit_code(result), 3);
+  for (const char* absent : {"lorenz*/rk4", "kepler/rk5"}) {
+    const auto excused = gate(good_rows(), std::string("[[rule]]\noptional = true\ncase = [\"") + absent +
+                                               "\", \"*/rk4\"]\norder = \"claimed\"");
+    EXPECT_EQ(finding_of(excused, absent, "rule").outcome, Outcome::note);
+    EXPECT_EQ(exit_code(excused), 0);
+  }
 }
 
 }  // namespace

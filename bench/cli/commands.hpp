@@ -43,7 +43,7 @@ struct ReportOptions : CommonOptions {
 struct CheckCommandOptions : CommonOptions {
   std::string output = "out", thresholds = "thresholds.toml", baseline = "baseline.json";
   std::string junit, markdown, json;
-  bool github = false, strict = false;
+  bool github = false, strict = false, baseline_named = false;
 };
 
 struct ApproveCommandOptions : CommonOptions {

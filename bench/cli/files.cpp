@@ -50,4 +50,18 @@ void require_writable_folder(const std::string& path) {
   if (!good) throw BadInput(fmt::format("cannot write into {}: choose another folder with -o", path));
 }
 
+void require_writable_file(const std::string& path) {
+  const std::string beside = path + ".part";
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  bool good = false;
+  if (!is_folder) {
+    std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+    good = static_cast<bool>(file);
+  }
+  const int error = is_folder ? EISDIR : errno;
+  if (!good) throw BadInput(fmt::format("cannot write {}: {}", path, std::strerror(error)));
+  std::filesystem::remove(beside, ignored);
+}
+
 }  // namespace odemark

@@ -16,6 +16,8 @@ struct CannotWrite : std::runtime_error {
 std::string read_file(const std::string& path);
 /// Writes beside and renames over, so that a failure leaves the old file whole. Throws CannotWrite.
 void write_file(const std::string& path, std::string_view content);
+/// Makes sure, before there is work to lose, that write_file() can write it; throws BadInput otherwise.
+void require_writable_file(const std::string& path);
 /// Creates the folder if need be and makes sure that it can be written into; throws BadInput otherwise.
 void require_writable_folder(const std::string& path);
 

@@ -43,21 +43,36 @@ auto as_input(F&& f) {
   }
 }
 
+void tell_cut(const std::string& path) {
+  fmt::print(stderr,
+             "odemark: the last line of {} is cut: the run was interrupted, `odemark run --resume` goes on\n",
+             path);
+}
+
+nlohmann::ordered_json rows_json(const Table& table) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const auto& row : table.rows) {
+    nlohmann::ordered_json cells;
+    for (std::size_t i = 0; i < row.size(); ++i) cells[table.columns[i].name] = row[i].text;
+    rows.push_back(cells);
+  }
+  return rows;
+}
+
 }  // namespace
 
 int check_command(const CheckCommandOptions& options) {
   const Results results = read_results(results_path(options.output));
-  if (results.cut)
-    fmt::print(
-        stderr,
-        "odemark: the last line of {} is cut: the run was interrupted, `odemark run --resume` goes on\n",
-        results_path(options.output));
+  if (results.cut) tell_cut(results_path(options.output));
+  for (const auto& path : {options.junit, options.markdown, options.json})
+    if (!path.empty()) require_writable_file(path);
   const CheckResult result = as_input([&] {
     const Thresholds thresholds = parse_thresholds(read_file(options.thresholds), options.thresholds);
     const BaselineFile baseline = load_baseline(read_if_there(options.baseline), options.baseline);
     CheckOptions how;
     how.strict = options.strict;
     how.today = today();
+    how.baseline_named = options.baseline_named;
     return check(results.rows, results.stability, thresholds, baseline, results.header, how);
   });
   fmt::print("{}", to_console(result));
@@ -87,10 +102,13 @@ int approve_command(const ApproveCommandOptions& options) {
         fmt::format("{} is cut: finish the run with --resume first", results_path(options.output)));
   const Approval approval = as_input([&] {
     const BaselineFile old = load_baseline(read_if_there(options.baseline), options.baseline);
-    if (!old.baseline && std::filesystem::exists(options.baseline) && !options.only.empty())
+    if (old.damaged && !options.only.empty())
       throw BadInput(fmt::format("{}; approve everything, without --only", old.problem));
+    if (old.damaged && !options.force)
+      throw BadInput(fmt::format("{}; --force writes a new one over it", old.problem));
     return approve(results.rows, results.header, old.baseline, options.reason, options.only);
   });
+  if (!options.dry_run) require_writable_file(options.baseline);
   if (!options.quiet) fmt::print("{}", to_text(approval.changes));
   fmt::print("{} added, {} changed, {} removed\n", approval.added, approval.changed, approval.removed);
   if (options.dry_run) return exit_ok;
@@ -101,30 +119,34 @@ int approve_command(const ApproveCommandOptions& options) {
 
 int compare_command(const CompareCommandOptions& options) {
   std::vector<NamedRows> sets;
-  for (const auto& file : options.files) sets.push_back({file, read_results(file).rows});
+  for (const auto& name : options.files) {
+    const std::string path = std::filesystem::is_directory(name) ? results_path(name) : name;
+    Results results = read_results(path);
+    if (results.cut) tell_cut(path);
+    sets.push_back({name, std::move(results.rows), std::move(results.stability)});
+  }
   const CompareFilter filter = options.only == "all"         ? CompareFilter::all
                                : options.only == "regressed" ? CompareFilter::regressed
                                : options.only == "improved"  ? CompareFilter::improved
                                                              : CompareFilter::changed;
   const Comparison comparison = as_input([&] { return compare(sets, filter); });
   if (options.format == "json") {
-    nlohmann::ordered_json j{{"regressed", comparison.regressed},
-                             {"improved", comparison.improved},
-                             {"changed", comparison.changed},
-                             {"same", comparison.same},
-                             {"runs", nlohmann::ordered_json::array()}};
-    for (const auto& row : comparison.runs.rows) {
-      nlohmann::ordered_json cells;
-      for (std::size_t i = 0; i < row.size(); ++i) cells[comparison.runs.columns[i].name] = row[i].text;
-      j["runs"].push_back(cells);
-    }
+    const nlohmann::ordered_json j{{"regressed", comparison.regressed},
+                                   {"improved", comparison.improved},
+                                   {"changed", comparison.changed},
+                                   {"same", comparison.same},
+                                   {"runs", rows_json(comparison.runs)},
+                                   {"limits", rows_json(comparison.limits)},
+                                   {"one_side", rows_json(comparison.one_side)}};
     fmt::print("{}\n", j.dump(2));
   } else {
-    for (const Table* table : {&comparison.runs, &comparison.orders, &comparison.one_side})
+    for (const Table* table :
+         {&comparison.runs, &comparison.orders, &comparison.limits, &comparison.one_side})
       if (!table->rows.empty())
         fmt::print("{}\n", options.format == "markdown" ? to_markdown(*table) : to_text(*table));
-    fmt::print("{} regressed, {} improved, {} changed otherwise, {} the same\n", comparison.regressed,
-               comparison.improved, comparison.changed, comparison.same);
+    fmt::print("{} regressed, {} improved, {} changed otherwise, {} the same, {} in one file only\n",
+               comparison.regressed, comparison.improved, comparison.changed, comparison.same,
+               comparison.one_side.rows.size());
   }
   return exit_ok;
 }
