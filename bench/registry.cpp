@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
+#include "bench/known_as.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/contestants.hpp"
 
@@ -17,6 +21,18 @@ std::vector<std::string_view> split(std::string_view text) {
     text.remove_prefix(std::min(comma + 1, text.size()));
   }
   return parts;
+}
+
+/// By the name that others give it, else by spelling.
+std::string suggested_method(std::string_view typed, const std::vector<std::string>& ids) {
+  std::string name(typed);
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto known = std::find_if(known_as.begin(), known_as.end(),
+                                  [&](const KnownAs& entry) { return entry.name == name; });
+  if (known != known_as.end()) name = known->id;
+  if (std::find(ids.begin(), ids.end(), name) != ids.end())
+    return fmt::format(" (did you mean \"{}\"?)", name);
+  return suggestion(typed, ids);
 }
 
 }  // namespace
@@ -42,7 +58,7 @@ const AnyMethod& find_method(const Registry& registry, std::string_view id) {
     ids.emplace_back(method.id);
   }
   throw BadInput(fmt::format("there is no method \"{}\"{}: `odemark list --methods` shows them all", id,
-                             suggestion(id, ids)));
+                             suggested_method(id, ids)));
 }
 
 std::vector<const AnyMethod*> select_methods(const Registry& registry, std::string_view patterns) {

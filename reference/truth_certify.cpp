@@ -191,8 +191,8 @@ Truth unchecked_closed_form(const AnyProblem& problem, const WideProblem& wide,
 void check_digits(int digits) {
   if (digits < 1) throw BadInput("ask for at least one digit");
   if (digits > most_digits)
-    throw BadInput("at most " + std::to_string(most_digits) +
-                   " digits can be certified in fifty-digit arithmetic, not " + std::to_string(digits));
+    throw BadInput(std::to_string(digits) + " digits are too many: at most " + std::to_string(most_digits) +
+                   " can be asked for; a solution that is known to more says how many");
 }
 
 Truth certify(const AnyProblem& problem, const std::vector<double>& times, const CertifyOptions& options) {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "bench/known_as.hpp"
 #include "reference/bad_input.hpp"
 
 namespace odemark {
@@ -148,6 +149,23 @@ TEST(Plan, ScalarsFilterAndCompensationReachTheRequests) {
   EXPECT_EQ(floats, 3);
   EXPECT_EQ(compensated, 4);
   EXPECT_EQ(controlled, 2);
+}
+
+TEST(plan, names_that_others_use_lead_to_methods_of_the_suite) {
+  std::set<std::string_view> ids, names;
+  for (const auto& method : registry().methods) ids.insert(method.id);
+  for (const auto& [name, id] : known_as) {
+    EXPECT_TRUE(ids.contains(id)) << id;
+    EXPECT_FALSE(ids.contains(name)) << name << " is a method itself";
+    EXPECT_TRUE(names.insert(name).second) << name << " is there twice";
+    try {
+      find_method(registry(), name);
+      ADD_FAILURE() << name;
+    } catch (const BadInput& e) {
+      EXPECT_THAT(e.what(), testing::HasSubstr("did you mean \"" + std::string(id) + "\"?"));
+    }
+  }
+  EXPECT_THROW(find_method(registry(), "RK45"), BadInput);
 }
 
 TEST(Plan, WildcardsAndFamiliesSelect) {

@@ -8,6 +8,7 @@
 
 #include "bench/cli/commands.hpp"
 #include "bench/cli/files.hpp"
+#include "bench/cli/mistakes.hpp"
 #include "bench/cli/truth_options.hpp"
 #include "bench/json_line.hpp"
 #include "bench/machine.hpp"
@@ -54,18 +55,22 @@ std::vector<double> parse_ladder(std::string_view option, const std::string& tex
 
 void add_common(CLI::App& command, CommonOptions& options) {
   command.add_flag("-q,--quiet", options.quiet, "results only, no progress");
-  const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
-                                                    {"bar", ProgressStyle::bar},
-                                                    {"lines", ProgressStyle::lines},
-                                                    {"none", ProgressStyle::none}};
-  command.add_option("--progress", options.progress, "auto, bar, lines or none (on stderr)")
-      ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case))
+  static const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
+                                                           {"bar", ProgressStyle::bar},
+                                                           {"lines", ProgressStyle::lines},
+                                                           {"none", ProgressStyle::none}};
+  command
+      .add_option_function<std::string>(
+          "--progress", [&options](const std::string& name) { options.progress = styles.at(name); },
+          "auto (default), bar, lines or none; on stderr")
+      ->check(one_of("style of progress", {"auto", "bar", "lines", "none"}))
       ->option_text("STYLE");
 }
 
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
-  return command.add_option("--format", format, fmt::format("{}", fmt::join(formats, ", ")))
-      ->check(CLI::IsMember(formats))
+  return command
+      .add_option("--format", format, fmt::format("{} (default: {})", fmt::join(formats, ", "), format))
+      ->check(one_of("format", formats))
       ->option_text("FORMAT");
 }
 
@@ -98,38 +103,59 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       ->option_text("LIST");
   run_app.add_option("--set", run.plan.settings, "parameters of the problems, like k=6e5,m=168,zeta=0.1")
       ->option_text("SETTINGS");
-  run_app.add_option("--dt", dt_text, "step sizes: 1/30,1/60 or start:ratio:count")->option_text("LADDER");
-  run_app.add_option("--tol", tol_text, "tolerances: 1e-3,1e-6 or start:ratio:count")->option_text("LADDER");
+  run_app
+      .add_option("--dt", dt_text,
+                  "step sizes with commas, 1/30,1/60, or start:ratio:count: 0.1:0.5:10 is ten of them from "
+                  "0.1 on, each half the one before")
+      ->option_text("LADDER");
+  run_app
+      .add_option("--tol", tol_text,
+                  "tolerances with commas, 1e-3,1e-6, or start:ratio:count: 1e-3:0.1:7 is 1e-3 to 1e-9")
+      ->option_text("LADDER");
   run_app.add_option("--filter", run.plan.filter, "step-size filter: dead_band, elementary, pi or h211b")
       ->option_text("NAME");
   run_app.add_option("--scalar", run.plan.scalars, "float, double, long_double, with commas")
       ->option_text("LIST");
   run_app.add_flag("--compensated", run.plan.compensated,
                    "carry the rounding error of the state (fixed steps)");
-  run_app.add_flag("!--no-timing", run.plan.timing, "errors and work only");
-  run_app.add_flag("!--no-stability", run.stability, "leave out the stability limits");
-  run_app.add_option("--time-limit", run.plan.time_limit_seconds, "seconds for one run")
-      ->check(CLI::PositiveNumber)
+  run_app.add_flag_callback(
+      "--no-timing", [&] { run.plan.timing = false; }, "errors and work only");
+  run_app.add_flag_callback(
+      "--no-stability", [&] { run.stability = false; }, "leave out the stability limits");
+  run_app
+      .add_option("--time-limit", run.plan.time_limit_seconds,
+                  fmt::format("seconds for one run (default: {:g})", run.plan.time_limit_seconds))
+      ->check(above_zero("seconds"))
       ->option_text("S");
   run_app.add_option("-j,--jobs", run.jobs, "threads for the errors; times are always taken one by one")
+      ->check(whole_number("jobs", 1, 256))
       ->option_text("N");
   run_app.add_flag("--resume", run.resume, "keep the rows that are there and go on");
-  run_app.add_option("-o,--output", run.output, "folder of results.jsonl")->option_text("DIR");
+  run_app.add_option("-o,--output", run.output, "folder of results.jsonl (default: out)")->option_text("DIR");
   add_common(run_app, run);
 
   ReportOptions report;
   auto& report_app = *app.add_subcommand(
       "report", "report.html, chapter.html, methods.html, SVG, Markdown and CSV from results.jsonl");
-  report_app.add_option("-o,--output", report.output, "folder of results.jsonl and of the report")
+  report_app
+      .add_option("-o,--output", report.output, "folder of results.jsonl and of the report (default: out)")
       ->option_text("DIR");
   report_app.add_option("--title", report.title, "title of the report")->option_text("TEXT");
   add_common(report_app, report);
 
   CheckCommandOptions check;
   auto& check_app = *app.add_subcommand("check", "gate results on thresholds.toml and baseline.json");
-  check_app.add_option("-o,--output", check.output, "folder of results.jsonl")->option_text("DIR");
-  check_app.add_option("--thresholds", check.thresholds, "written by people")->option_text("FILE");
-  check_app.add_option("--baseline", check.baseline, "written by `odemark approve`")->option_text("FILE");
+  check_app.add_option("-o,--output", check.output, "folder of results.jsonl (default: out)")
+      ->option_text("DIR");
+  check_app
+      .add_option("--thresholds", check.thresholds,
+                  "what people demand (default: thresholds.toml); a rule whose case matches nothing that was "
+                  "run makes the gate incomplete, unless it says optional = true")
+      ->option_text("FILE");
+  check_app
+      .add_option("--baseline", check.baseline,
+                  "written by `odemark approve` (default: baseline.json, which may be missing)")
+      ->option_text("FILE");
   check_app.add_option("--junit", check.junit, "write JUnit XML")->option_text("FILE");
   check_app.add_option("--markdown", check.markdown, "write a summary for a pull request")
       ->option_text("FILE");
@@ -140,24 +166,27 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
 
   ApproveCommandOptions approve;
   auto& approve_app = *app.add_subcommand("approve", "make these results the baseline");
-  approve_app.add_option("-o,--output", approve.output, "folder of results.jsonl")->option_text("DIR");
-  approve_app.add_option("--baseline", approve.baseline, "the file to write")->option_text("FILE");
+  approve_app.add_option("-o,--output", approve.output, "folder of results.jsonl (default: out)")
+      ->option_text("DIR");
+  approve_app.add_option("--baseline", approve.baseline, "the file to write (default: baseline.json)")
+      ->option_text("FILE");
   approve_app.add_option("--only", approve.only, "regular expression on row ids")->option_text("REGEX");
   approve_app.add_option("--reason", approve.reason, "why the numbers changed")
       ->required()
       ->option_text("TEXT");
   approve_app.add_flag("--dry-run", approve.dry_run, "show the changes, write nothing");
-  approve_app.add_flag("--force", approve.force, "even where CI is set");
+  approve_app.add_flag("--force", approve.force, "even where CI is set, and over a damaged baseline");
   add_common(approve_app, approve);
 
   CompareCommandOptions compare;
   auto& compare_app = *app.add_subcommand("compare", "before and after: errors, orders, work, times");
-  compare_app.add_option("files", compare.files, "results.jsonl files, the first is before")
+  compare_app
+      .add_option("files", compare.files, "results.jsonl files or folders of them, the first is before")
       ->required()
       ->expected(2, 100)
       ->option_text("FILE FILE ...");
-  compare_app.add_option("--only", compare.only, "regressed, improved, changed or all")
-      ->check(CLI::IsMember({"regressed", "improved", "changed", "all"}))
+  compare_app.add_option("--only", compare.only, "changed (default), regressed, improved or all")
+      ->check(one_of("filter", {"regressed", "improved", "changed", "all"}))
       ->option_text("WHICH");
   add_format(compare_app, compare.format, {"table", "markdown", "json"});
 
@@ -187,10 +216,12 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       ->option_text("SETTINGS");
   stability_app.add_option("--methods", stability.methods, "ids with commas; * and ? match")
       ->option_text("LIST");
-  stability_app.add_option("--dt", stability_dt, "your dt, like 1/60: verdict, margin, growth, substeps")
+  stability_app
+      .add_option("--dt", stability_dt,
+                  "your dt, like 1/60: verdict, margin, what becomes of the amplitude, substeps")
       ->option_text("DT");
   stability_app.add_option("-j,--jobs", stability.jobs, "threads")
-      ->check(CLI::Range(1, 256))
+      ->check(whole_number("jobs", 1, 256))
       ->option_text("N");
   add_format(stability_app, stability.format, {"table", "json", "markdown", "csv"});
   add_common(stability_app, stability);
@@ -204,7 +235,9 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   add_format(truth_app, truth_format, {"text", "json"});
   add_common(truth_app, truth);
 
-  app.add_subcommand("bench", "cost per step by Google Benchmark; every --benchmark_* flag works");
+  app.add_subcommand("bench",
+                     "cost per step by Google Benchmark: every --benchmark_* flag works; --tax: what the "
+                     "engine itself costs");
   DoctorOptions doctor;
   auto& doctor_app = *app.add_subcommand("doctor", "what affects the numbers on this machine");
   add_format(doctor_app, doctor.format, {"text", "json"});
@@ -219,6 +252,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
                                    suggestion(arguments[0], commands), fmt::join(commands, ", ")));
     }
     app.parse(argc, argv);
+    check.baseline_named = check_app.count("--baseline") > 0;
     run.plan.dts = dt_text.empty() ? std::vector<double>{} : parse_ladder("--dt", dt_text);
     run.plan.tolerances = tol_text.empty() ? std::vector<double>{} : parse_ladder("--tol", tol_text);
     if (!stability_dt.empty()) {
@@ -244,7 +278,8 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
     return exit_usage;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-    fmt::print(stderr, "odemark: {}\n", e.what());
+    const std::string unexpected = unexpected_words(app);
+    fmt::print(stderr, "odemark: {}\n", unexpected.empty() ? e.what() : unexpected);
     return exit_usage;
   } catch (const BadInput& e) {
     fmt::print(stderr, "odemark: {}\n", e.what());

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "bench/cli/commands.hpp"
 #include "bench/cli/progress.hpp"
 #include "bench/json_line.hpp"
@@ -43,6 +45,19 @@ Table limits_table(const std::vector<StabilityRow>& rows) {
   return table;
 }
 
+/// What a second of steps leaves of the slowest-dying motion, "x 0.98", or makes of the fastest-growing one,
+/// "x 17.5"; from ln(amplitude) per second, which for an explosion may be beyond what a double holds.
+std::string factor_text(double growth_per_second) {
+  if (std::isnan(growth_per_second)) return std::string(no_value);
+  const double decades = growth_per_second / std::log(10.0);
+  if (std::abs(decades) > 100 && std::isfinite(decades)) return fmt::format("x 10^{:.0f}", decades);
+  const double factor = std::exp(growth_per_second);
+  const double change = std::abs(std::expm1(growth_per_second));
+  return "x " + (change < 1e-9   ? "1"
+                 : change < 0.01 ? fmt::format("{:.9g}", factor)
+                                 : significant(factor, 3));
+}
+
 /// "Will it explode at my dt?", one line per method.
 Table verdict_table(const std::vector<AnyMethod>& methods, const AnyProblem& problem, double dt) {
   Table table;
@@ -51,7 +66,7 @@ Table verdict_table(const std::vector<AnyMethod>& methods, const AnyProblem& pro
                    {"verdict"},
                    {"limit", Align::right, "s"},
                    {"limit/dt", Align::right},
-                   {"growth", Align::right, "1/s"},
+                   {"amplitude, per second", Align::right},
                    {"substeps needed", Align::right},
                    {"reason"}};
   for (const auto& method : methods) {
@@ -60,18 +75,17 @@ Table verdict_table(const std::vector<AnyMethod>& methods, const AnyProblem& pro
     const std::string limit = v.unlimited ? "none"
                               : v.limit   ? (*v.limit > 0 ? significant(*v.limit, 6) : "unstable at every dt")
                                           : std::string(no_value);
-    table.rows.push_back(
-        {{std::string(method.id)},
-         {v.verdict, stable                    ? Status::ok
-                     : v.verdict == "unstable" ? Status::fail
-                                               : Status::muted},
-         {limit},
-         {v.unlimited ? std::string(no_value) : optional_text(v.margin, 4)},
-         {v.verdict == "unstable" ? significant(v.growth_per_second, 4) : std::string(no_value)},
-         {v.substeps                ? fmt::format("{}", *v.substeps)
-          : v.verdict == "unstable" ? "none is enough"
-                                    : std::string(no_value)},
-         {v.reason}});
+    table.rows.push_back({{std::string(method.id)},
+                          {v.verdict, stable                    ? Status::ok
+                                      : v.verdict == "unstable" ? Status::fail
+                                                                : Status::muted},
+                          {limit},
+                          {v.unlimited ? std::string(no_value) : optional_text(v.margin, 4)},
+                          {v.verdict == "blank" ? std::string(no_value) : factor_text(v.growth_per_second)},
+                          {v.substeps                ? fmt::format("{}", *v.substeps)
+                           : v.verdict == "unstable" ? "none is enough"
+                                                     : std::string(no_value)},
+                          {v.reason}});
   }
   return table;
 }

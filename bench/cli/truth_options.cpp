@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "bench/cli/mistakes.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/truth.hpp"
 
 namespace odemark {
 
@@ -12,25 +14,30 @@ void add_truth_options(CLI::App& app, TruthCommandOptions& truth, std::vector<st
       ->option_text("PROBLEM...");
   app.add_option("--set", truth.request.settings, "parameters, like k=6e5,m=168")->option_text("SETTINGS");
   app.add_option("--t", t, "time; default: the problem's t_end")->option_text("T");
-  app.add_option("--digits", truth.request.digits, "digits asked for")->option_text("N");
+  app.add_option("--digits", truth.request.digits,
+                 fmt::format("digits asked for, at most {} (default: {})", most_digits, truth.request.digits))
+      ->check(whole_number("digits that can be asked for", 1, most_digits))
+      ->option_text("N");
   app.add_flag("--exact-inputs", truth.request.exact_inputs,
                "decimals at full value instead of rounded to double");
-  app.add_option("--time-limit", truth.request.time_limit_seconds, "seconds")
-      ->check(CLI::PositiveNumber)
+  app.add_option("--time-limit", truth.request.time_limit_seconds,
+                 fmt::format("seconds (default: {:g})", truth.request.time_limit_seconds))
+      ->check(above_zero("seconds"))
       ->option_text("S");
   auto& verify = *app.add_flag("--verify", truth.verify, "compute the stored solutions again and compare");
   const auto with_verify = [&](CLI::Option* option, const char* text) {
     option->needs(&verify)->option_text(text);
     return option;
   };
-  with_verify(
-      app.add_option("--sample", truth.stored.sample, "only so many of them")->check(CLI::PositiveNumber),
-      "N");
+  with_verify(app.add_option("--sample", truth.stored.sample, "only so many of them")
+                  ->check(whole_number("solutions", 1, 1'000'000)),
+              "N");
   with_verify(app.add_option("--seed", truth.stored.seed, "which: the same text chooses the same"), "TEXT");
   with_verify(app.add_option("--within", truth.stored.within, "only those computed in so many seconds before")
-                  ->check(CLI::PositiveNumber),
+                  ->check(above_zero("seconds")),
               "S");
-  with_verify(app.add_option("-j,--jobs", truth.stored.jobs, "threads")->check(CLI::Range(1, 256)), "N");
+  with_verify(app.add_option("-j,--jobs", truth.stored.jobs, "threads")->check(whole_number("jobs", 1, 256)),
+              "N");
 }
 
 void settle_truth(TruthCommandOptions& truth, const std::vector<std::string>& presets) {

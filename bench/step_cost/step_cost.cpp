@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <regex>
 
 #include "bench/machine.hpp"
 #include "bench/plan.hpp"
@@ -67,7 +69,9 @@ void run_case(benchmark::State& state, const Case& c) {
   state.SetLabel(label);
 }
 
-void register_cases(const Registry& registry) {
+/// The names of all.
+std::vector<std::string> register_cases(const Registry& registry) {
+  std::vector<std::string> names;
   for (const auto& id : {"drag_ship", "oscillator", "damped_spring", "stiff_spring", "pendulum",
                          "free_rigid_body", "kepler_e06", "van_der_pol", "lorenz63"}) {
     const auto problem = std::make_shared<const AnyProblem>(find_problem(registry.families, id));
@@ -81,9 +85,44 @@ void register_cases(const Registry& registry) {
       c.request.trajectory = false;
       const std::string name = fmt::format("{}/{}/steps:{}", problem->id, method.id, steps);
       benchmark::RegisterBenchmark(name.c_str(), [c](benchmark::State& state) { run_case(state, c); });
+      names.push_back(name);
     }
   }
+  return names;
 }
+
+/// Why --benchmark_filter chooses nothing, which the library says and then ends as if all were well; empty:
+/// it chooses some. Its patterns are extended regular expressions, a "-" in front inverts one, and "all" is
+/// all.
+std::string fault_of_filter(const std::vector<std::string>& arguments,
+                            const std::vector<std::string>& names) {
+  constexpr std::string_view flag = "--benchmark_filter=";
+  const auto last = std::find_if(arguments.rbegin(), arguments.rend(),
+                                 [&](const std::string& a) { return a.starts_with(flag); });
+  if (last == arguments.rend()) return "";
+  std::string pattern = last->substr(flag.size());
+  if (pattern.empty() || pattern == "all") return "";
+  const bool inverted = pattern.front() == '-';
+  if (inverted) pattern.erase(0, 1);
+  try {
+    const std::regex expression(pattern, std::regex::extended);
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const std::string& name) { return std::regex_search(name, expression) != inverted; }))
+      return "";
+  } catch (const std::regex_error&) {
+    return fmt::format("{} is no regular expression", *last);
+  }
+  return fmt::format("{} matches none of the {} benchmarks: --benchmark_list_tests shows their names", *last,
+                     names.size());
+}
+
+constexpr const char* help =
+    "odemark bench [--tax] [--benchmark_...]\n"
+    "cost per step of every method on nine scenes; --benchmark_filter=REGEX chooses by names like "
+    "oscillator/rk4/steps:256\n"
+    "--tax            what the engine costs beyond a loop written by hand and beyond Boost.odeint; stands "
+    "alone\n"
+    "The flags of Google Benchmark:\n";
 
 int print_tax() {
   fmt::print("{}\n", headline(describe_machine()));
@@ -104,8 +143,19 @@ int step_cost_main(const std::vector<std::string>& arguments, const Registry& re
     fmt::print(stderr, "odemark bench: --tax stands alone\n");
     return 2;
   }
+  const auto names = register_cases(registry);
+  if (const std::string fault = fault_of_filter(arguments, names); !fault.empty()) {
+    fmt::print(stderr, "odemark: {}\n", fault);
+    return 2;
+  }
   std::vector<std::string> owned{"odemark_bench"};
   owned.insert(owned.end(), arguments.begin(), arguments.end());
+  for (auto& text : owned)
+    if (text == "-h") text = "--help";
+  if (std::find(owned.begin(), owned.end(), "--help") != owned.end()) {
+    fmt::print("{}", help);
+    std::fflush(stdout);  // the library prints the rest and ends the program
+  }
   std::vector<char*> argv;
   for (auto& text : owned) argv.push_back(text.data());
   int argc = static_cast<int>(argv.size());
@@ -118,14 +168,11 @@ int step_cost_main(const std::vector<std::string>& arguments, const Registry& re
                               header.compiler + " " + header.build_type + " " + header.flags);
   benchmark::Initialize(&argc, argv.data());
   if (benchmark::ReportUnrecognizedArguments(argc, argv.data())) return 2;
-  register_cases(registry);
   QuietHeader reporter;
-  if (console)
-    benchmark::RunSpecifiedBenchmarks(&reporter);
-  else
-    benchmark::RunSpecifiedBenchmarks();
+  const std::size_t matched =
+      console ? benchmark::RunSpecifiedBenchmarks(&reporter) : benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
-  return 0;
+  return matched > 0 ? 0 : 2;
 }
 
 }  // namespace odemark

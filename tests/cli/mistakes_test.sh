@@ -31,6 +31,19 @@ refused 2 'is not a setting' run "${plan[@]}" --set k
 refused 2 'is no number of jobs: 1 to 256' run "${plan[@]}" -j 0
 refused 2 '--time-limit' run "${plan[@]}" --time-limit 0
 refused 2 '--time-limit' run "${plan[@]}" --time-limit -1
+refused 2 '"-1" is no number of seconds: it must be above 0' run "${plan[@]}" --time-limit -1
+refused 2 '"many" is no number of jobs: 1 to 256' run "${plan[@]}" -j many
+refused 2 '"0" is no number of jobs: 1 to 256' stability -j 0
+refused 2 '"x" is no number of seconds: it must be above 0' truth --verify --within x
+refused 2 '"many" is no number of solutions' truth --verify --sample many
+refused 2 '"60" is no number of digits that can be asked for: 1 to 38' truth oscillator --digits 60
+refused 2 'there is no style of progress "fancy": auto, bar, lines, none' run "${plan[@]}" --progress fancy
+refused 2 'did you mean "json"?' list --format jsno
+refused 2 'run has no option --suit (did you mean "--suite"?)' run --suit quick
+refused 2 'run has no option --suit (did you mean "--suite"?)' run --suit=quick
+refused 2 'run does not take "quick"' run quick
+refused 2 'did you mean "dormand_prince54"?' run --methods dopri5 --problems oscillator -o "$out"
+refused 2 'did you mean "dop853"?' methods DOP853
 refused 2 '--nonsense' run "${plan[@]}" --nonsense
 refused 2 'nonsense' nonsense
 refused 2 'subcommand'
@@ -39,6 +52,33 @@ refused 2 'did you mean' stability --methods rk5
 refused 2 'is no step: it must be above 0' stability --dt 0
 refused 2 'did you mean "kepler"?' truth keplr
 [ ! -e "$out" ] || fail "something was written into $out: $(ls "$out")"
+
+if "$ODEMARK" bench --help 2>/dev/null | grep -q benchmark_filter; then  # built with Google Benchmark
+  refused 2 'is no regular expression' bench '--benchmark_filter=('
+  refused 2 'matches none of the ' bench --benchmark_filter=nosuch
+  refused 2 'matches none of the ' bench --benchmark_filter=-.
+  run bench --benchmark_filter=rk4/steps --benchmark_list_tests
+  expect_code 0
+  expect_output 'oscillator/rk4/steps'
+  run bench --help
+  expect_output '--tax'
+fi
+
+run run --help
+expect_code 0
+grep -q '{false}' "$work/out" && fail "the help shows what flags are inside"
+expect_output 'each half the one before'
+expect_output 'default: out'
+run check --help
+expect_output 'default: thresholds.toml'
+expect_output 'optional = true'
+
+# a step that decays says what is left of the motion, one that grows what becomes of it
+run stability --problem damped_spring --set k=6e5,m=168,zeta=0.1 --dt 1/60 --methods heun,explicit_euler
+expect_code 0
+expect_output 'amplitude, per second'
+grep -Eq '^heun +stable .* x 0\.[0-9]+ ' "$work/out" || fail "no word on the decay: $(cat "$work/out")"
+grep -Eq '^explicit_euler +unstable .* x 4\.[0-9]+e\+07 ' "$work/out" || fail "exp(17.51) is not said: $(cat "$work/out")"
 
 run --version
 expect_code 0
