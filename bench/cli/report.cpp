@@ -13,6 +13,7 @@
 #include "bench/method_sheets.hpp"
 #include "bench/pictures.hpp"
 #include "bench/problem_sheets.hpp"
+#include "reference/bad_input.hpp"
 
 namespace odemark {
 
@@ -38,6 +39,9 @@ Registry pages_of(const Registry& registry, const Results& results, const std::s
 int report_command(const Registry& registry, const ReportOptions& options) {
   Results results = read_results((std::filesystem::path(options.output) / "results.jsonl").string());
   require_writable_folder(options.output);
+  for (const char* name : {"report.html", "chapter.html", "methods.html", "problems.html", "report.md"})
+    if (const auto path = std::filesystem::path(options.output) / name; std::filesystem::is_directory(path))
+      throw BadInput(fmt::format("cannot write {}: it is a folder", path.string()));
   const Registry shown = pages_of(registry, results, options.pages);
   Pictures pictures = make_pictures(registry, results.rows);
   std::vector<FactSheet> methods;
