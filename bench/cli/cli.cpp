@@ -3,11 +3,11 @@
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <map>
 
 #include "bench/cli/commands.hpp"
 #include "bench/cli/files.hpp"
+#include "bench/cli/ladder.hpp"
 #include "bench/cli/mistakes.hpp"
 #include "bench/cli/truth_options.hpp"
 #include "bench/json_line.hpp"
@@ -24,33 +24,6 @@ std::atomic<bool> interrupted{false};
 void on_interrupt(int) {
   interrupted = true;
   signal(SIGINT, SIG_DFL);  // a second Ctrl-C ends the program at once
-}
-
-/// "0.1:0.5:10" is ten values from 0.1, each half the one before; or a list "0.1,0.05"; quotients like 1/60
-/// are fine.
-std::vector<double> parse_ladder(std::string_view option, const std::string& text) {
-  std::vector<double> values;
-  std::vector<std::string> parts;
-  const char separator = text.find(':') != text.npos ? ':' : ',';
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  if (separator == ',') {
-    for (const auto& part : parts) values.push_back(parse_number(option, part));
-    return values;
-  }
-  if (parts.size() != 3)
-    throw BadInput(
-        fmt::format("{} {}: write start:ratio:count, like 0.1:0.5:10, or values with commas", option, text));
-  double value = parse_number(option, parts[0]);
-  const double ratio = parse_number(option, parts[1]), count = parse_number(option, parts[2]);
-  if (!(ratio > 0) || ratio == 1 || !(count >= 1 && count <= 1000) || count != std::floor(count))
-    throw BadInput(fmt::format(
-        "{} {}: the ratio must be above 0 and not 1, the count a whole number from 1 to 1000", option, text));
-  for (int i = 0; i < static_cast<int>(count); ++i, value *= ratio) values.push_back(value);
-  return values;
 }
 
 void add_common(CLI::App& command, CommonOptions& options) {
@@ -98,8 +71,11 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   auto& run_app = *app.add_subcommand("run", "measure error, work and time; rows stream to results.jsonl");
   run_app.add_option("-s,--suite", run.plan.suite, fmt::format("{}", fmt::join(suite_names(), ", ")))
       ->option_text("NAME");
-  run_app.add_option("--methods", run.plan.methods, "ids with commas; * and ? match")->option_text("LIST");
+  run_app.add_option("--methods", run.plan.methods, "ids with commas; * and ? match")
+      ->check(something())
+      ->option_text("LIST");
   run_app.add_option("--problems", run.plan.problems, "presets or families with commas; * and ? match")
+      ->check(something())
       ->option_text("LIST");
   run_app.add_option("--set", run.plan.settings, "parameters of the problems, like k=6e5,m=168,zeta=0.1")
       ->option_text("SETTINGS");
@@ -107,14 +83,17 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       .add_option("--dt", dt_text,
                   "step sizes with commas, 1/30,1/60, or start:ratio:count: 0.1:0.5:10 is ten of them from "
                   "0.1 on, each half the one before")
+      ->check(something())
       ->option_text("LADDER");
   run_app
       .add_option("--tol", tol_text,
                   "tolerances with commas, 1e-3,1e-6, or start:ratio:count: 1e-3:0.1:7 is 1e-3 to 1e-9")
+      ->check(something())
       ->option_text("LADDER");
   run_app.add_option("--filter", run.plan.filter, "step-size filter: dead_band, elementary, pi or h211b")
       ->option_text("NAME");
   run_app.add_option("--scalar", run.plan.scalars, "float, double, long_double, with commas")
+      ->check(something())
       ->option_text("LIST");
   run_app.add_flag("--compensated", run.plan.compensated,
                    "carry the rounding error of the state (fixed steps)");
@@ -131,7 +110,9 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       ->check(whole_number("jobs", 1, 256))
       ->option_text("N");
   run_app.add_flag("--resume", run.resume, "keep the rows that are there and go on");
-  run_app.add_option("-o,--output", run.output, "folder of results.jsonl (default: out)")->option_text("DIR");
+  run_app.add_option("-o,--output", run.output, "folder of results.jsonl (default: out)")
+      ->check(something())
+      ->option_text("DIR");
   add_common(run_app, run);
 
   ReportOptions report;
@@ -141,6 +122,12 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       .add_option("-o,--output", report.output, "folder of results.jsonl and of the report (default: out)")
       ->option_text("DIR");
   report_app.add_option("--title", report.title, "title of the report")->option_text("TEXT");
+  report_app
+      .add_option("--pages", report.pages,
+                  "pages of methods and families: all, or those of the results (used); default: used where "
+                  "the run chose some, else all")
+      ->check(one_of("choice of pages", {"all", "used", "auto"}))
+      ->option_text("WHICH");
   add_common(report_app, report);
 
   CheckCommandOptions check;
@@ -215,6 +202,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   stability_app.add_option("--set", stability.settings, "its parameters, like k=6e5,m=168,zeta=0.1")
       ->option_text("SETTINGS");
   stability_app.add_option("--methods", stability.methods, "ids with commas; * and ? match")
+      ->check(something())
       ->option_text("LIST");
   stability_app
       .add_option("--dt", stability_dt,
@@ -243,6 +231,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   add_format(doctor_app, doctor.format, {"text", "json"});
 
   try {
+    require_unique_names(registry);
     if (!arguments.empty() && !arguments[0].starts_with("-")) {
       std::vector<std::string> commands;
       for (const auto* command : app.get_subcommands([](CLI::App*) { return true; }))

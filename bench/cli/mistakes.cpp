@@ -54,6 +54,13 @@ CLI::Validator one_of(std::string what, std::vector<std::string> names) {
           ""};
 }
 
+CLI::Validator something() {
+  return {[](std::string& text) -> std::string {
+            return text.empty() ? "nothing is given: leave the option out for the default" : "";
+          },
+          ""};
+}
+
 std::string unexpected_words(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
