@@ -22,8 +22,8 @@ Table doubling_table(const ChapterData& data) {
               "Amplitudes: periods until a factor of two",
               "In periods, measured by stepping until it has happened; ≈ marks an extrapolation from the "
               "change over two million "
-              "steps. Theory: ln 2 / ln|R(iw dt)| steps.",
-              {{"w dt", Align::right},
+              "steps. Theory: ln 2 / ln|R(iω dt)| steps.",
+              {{"ω dt", Align::right},
                {"steps per period", Align::right},
                {"improved Euler doubles", Align::right},
                {"theory", Align::right},
@@ -43,7 +43,7 @@ Table phase_table(const ChapterData& data) {
   Table table{"phase",
               "Per period, measured over 20: factor of the amplitude, and phase ahead of the exact motion",
               "",
-              {{"w dt", Align::right},
+              {{"ω dt", Align::right},
                {"improved Euler", Align::right},
                {"theory", Align::right},
                {"phase", Align::right, "°"},
@@ -66,7 +66,7 @@ Table apart_table(const ChapterData& data) {
   Table table{"apart",
               "Periods until the two displacements are apart",
               "By a part of the starting amplitude; looked for over 100 periods.",
-              {{"w dt", Align::right}, {"by 1 %", Align::right}, {"by 10 %", Align::right}},
+              {{"ω dt", Align::right}, {"by 1 %", Align::right}, {"by 10 %", Align::right}},
               {}};
   for (const DoublingLine& line : data.doublings)
     table.rows.push_back({digits(line.z, 4), digits_or(line.differ_1_percent, 3, "beyond 100"),
@@ -79,10 +79,10 @@ Chart doubling_chart(const ChapterData& data) {
   chart.id = "doubling-chart";
   chart.title = "Periods until the amplitude has doubled or halved";
   chart.caption =
-      "Improved Euler doubles after about 0.88 / (w dt)³ periods, Runge–Kutta 4 halves after about 15.9 / (w "
+      "Improved Euler doubles after about 0.88 / (ω dt)³ periods, Runge–Kutta 4 halves after about 15.9 / (ω "
       "dt)⁵. "
       "Markers are measured (hollow: extrapolated), dotted lines are theory.";
-  chart.x = {"w dt", Scale::log10, {}};
+  chart.x = {"ω dt", Scale::log10, {}};
   chart.y = {"periods", Scale::log10, {}};
   const auto add = [&](const char* method, const char* what, Halving DoublingLine::*member) {
     Series theory{fmt::format("{}-theory", method),
@@ -168,7 +168,7 @@ std::string verdict_5(const ChapterData& data) {
   for (const EqualCostLine& line : data.equal_cost) dearer = dearer && line.heun_error > line.rk4_error;
   const EqualCostLine& cost = data.equal_cost.at(2);
   return fmt::format(
-      "By eye only, and only for a while: at w dt = 0.1 they are 1 % apart after {} periods, 10 % after {}, "
+      "By eye only, and only for a while: at ω dt = 0.1 they are 1 % apart after {} periods, 10 % after {}, "
       "and improved "
       "Euler's amplitude has doubled after {}; for a 5 Hz spring at 60 steps a second after {} periods, {}. "
       "It is "

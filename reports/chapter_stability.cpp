@@ -34,7 +34,7 @@ Chart face_chart(const ChapterData& data, std::string_view problem, std::string 
         problem == ship ? run.problem == ship : run.problem.substr(0, problem.size()) == problem;
     if (!wanted) continue;
     Series series{fmt::format("{}-{}", run.problem, colour),
-                  fmt::format("{} dt = {} (dt = {} s)", problem == spring ? "w" : "λ",
+                  fmt::format("{} dt = {} (dt = {} s)", problem == spring ? "ω" : "λ",
                               compact(run.rate_times_dt, 3), compact(run.dt, 4)),
                   "",
                   {},
@@ -59,7 +59,7 @@ Chart growth_chart(const ChapterData& data) {
   chart.id = "growth";
   chart.title = "Growth of the amplitude, undamped 1 Hz spring";
   chart.caption =
-      "Markers are measured over 10 s, dotted lines are ln|R(iw dt)| / dt. Euler's growth falls with dt, "
+      "Markers are measured over 10 s, dotted lines are ln|R(iω dt)| / dt. Euler's growth falls with dt, "
       "improved Euler's with dt³; neither reaches zero. Runge–Kutta 4 is not drawn: its amplitude shrinks.";
   chart.x = {"dt [s]", Scale::log10, {}};
   chart.y = {"d ln(amplitude) / dt [1/s]", Scale::log10, {}};
@@ -160,11 +160,11 @@ std::vector<Block> claim_1(const ChapterData& data) {
   Table table{
       "faces",
       "Euler at several dt",
-      "λ dt and w dt are the step in units of the problem's own rate. Growth per step: of the deviation from "
+      "λ dt and ω dt are the step in units of the problem's own rate. Growth per step: of the deviation from "
       "the exact solution, over the second half of the run; on the spring, of the amplitude.",
       {{"problem"},
        {"dt", Align::right, "s"},
-       {"λ dt or w dt", Align::right},
+       {"λ dt or ω dt", Align::right},
        {"steps", Align::right},
        {"changes of sign", Align::right},
        {"growth per step", Align::right},
@@ -230,9 +230,9 @@ std::string verdict_4(const ChapterData& data) {
   return fmt::format(
       "Largest stable step per step taken, Euler / improved Euler / Runge–Kutta 4: λ dt = {} / {} / {} on "
       "the ship, "
-      "w dt = {} / {} / {} on the undamped spring, {} / {} / {} with damping ζ = 0.01. Per evaluation on the "
+      "ω dt = {} / {} / {} on the undamped spring, {} / {} / {} with damping ζ = 0.01. Per evaluation on the "
       "ship: "
-      "{} / {} / {}. The chapter's own listing reaches w dt = {} on the undamped spring with one evaluation.",
+      "{} / {} / {}. The chapter's own listing reaches ω dt = {} on the undamped spring with one evaluation.",
       number(ship, "explicit_euler"), number(ship, "heun"), number(ship, "rk4"),
       number(spring, "explicit_euler"), number(spring, "heun"), number(spring, "rk4"),
       number(light, "explicit_euler"), number(light, "heun"), number(light, "rk4"),
@@ -243,9 +243,9 @@ std::string verdict_4(const ChapterData& data) {
 std::vector<Block> claim_4(const ChapterData& data) {
   Table table{"limits",
               "The largest stable step, measured on the real steps",
-              "In units of the rate λ or w of the problem. “None”: unstable at every dt tried, down to a "
+              "In units of the rate λ or ω of the problem. “None”: unstable at every dt tried, down to a "
               "thousandth of "
-              "1/w. Theory is from the coefficients. The largest number of each problem is marked.",
+              "1/ω. Theory is from the coefficients. The largest number of each problem is marked.",
               {{"problem"},
                {"method"},
                {"evaluations", Align::right},

@@ -220,7 +220,7 @@ std::vector<Block> listing_blocks(const ChapterData& data) {
       "so "
       "Table 7-1 is the same for both; the positions differ by dt times the change of speed, after one "
       "minute "
-      "{} m. On the undamped spring the difference decides: at w dt = {} over {} periods the listing's "
+      "{} m. On the undamped spring the difference decides: at ω dt = {} over {} periods the listing's "
       "amplitude never exceeds {} times the start, while explicit Euler's reaches {} times. Figure 7-5 is "
       "drawn "
       "by explicit Euler; the chapter's own listing would not have grown.",

@@ -18,6 +18,16 @@
 namespace odemark {
 namespace {
 
+/// Long names may break after their underscores, and nowhere else.
+std::string breakable(const std::string& label) {
+  std::string out;
+  for (const char c : escaped(label)) {
+    out += c;
+    if (c == '_') out += "<wbr>";
+  }
+  return out;
+}
+
 // In page text rather than in the picture: it reflows beside or below and never shrinks with the picture.
 std::string legend_html(const Chart& chart) {
   const auto groups = legend_groups(chart);
@@ -35,7 +45,7 @@ std::string legend_html(const Chart& chart) {
                      "aria-hidden=\"true\">",
                      escaped(entry.id));
       svg::swatch(out, entry.style, entry.is_region, 0, 0);
-      fmt::format_to(std::back_inserter(out), "</svg>{}</li>\n", escaped(entry.label));
+      fmt::format_to(std::back_inserter(out), "</svg><span>{}</span></li>\n", breakable(entry.label));
     }
     if (!group.family.empty()) out += "</ul></li>\n";
   }

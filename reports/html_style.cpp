@@ -63,13 +63,14 @@ figure{margin:1.5rem 0 2.25rem;padding:1.25rem;border:1px solid var(--line);bord
 .plot svg{display:block;width:100%;height:auto}
 .legend,.legend ul{list-style:none;margin:0;padding:0}
 .legend{flex:1 1 11rem;font-size:.9rem;line-height:1.5;display:grid;align-content:start;
-grid-template-columns:repeat(auto-fill,minmax(10.5rem,1fr));gap:.1rem 1rem;padding-top:.25rem}
+grid-template-columns:repeat(auto-fill,minmax(min(10.5rem,100%),1fr));gap:.1rem 1rem;padding-top:.25rem}
 .legend .family{margin-bottom:.5rem}
 .legend>li{align-self:start}
 .legend.many{flex-basis:100%}
 .legend b{color:var(--muted);font-weight:600;font-size:.85rem}
 .legend li li,.legend>li[data-series]{display:flex;align-items:center;gap:.5rem}
 .legend svg{flex:none;overflow:visible}
+.legend li span{min-width:0;overflow-wrap:anywhere}
 figcaption p{margin:.6rem 0 0}
 figcaption .muted,.tablenote{font-size:.9rem}
 details{margin-top:.75rem}
@@ -79,7 +80,8 @@ summary{cursor:pointer;color:var(--link);font-size:.9rem;width:fit-content}
 table{border-collapse:collapse;width:100%;font-size:.9rem;font-variant-numeric:tabular-nums}
 caption{text-align:left;font-weight:600;padding:.6rem .75rem}
 th,td{padding:.35rem .75rem;text-align:left;white-space:nowrap;border-top:1px solid var(--line)}
-thead th{position:sticky;top:0;background:var(--soft);font-weight:600}
+thead th,thead td{position:sticky;top:0;background:var(--soft);font-weight:600}
+.rows{color:var(--muted);font-weight:400;padding-left:.5rem}
 .unit{color:var(--muted);font-weight:400}
 .right{text-align:right}.centre{text-align:center}
 td.muted{color:var(--muted)}
@@ -107,7 +109,7 @@ constexpr std::string_view dark =
 constexpr std::string_view script = R"js(
 document.querySelectorAll('table').forEach(t=>{const b=t.tBodies[0];if(!b||b.rows.length<2)return;
 const heads=[...t.tHead.rows[0].cells];
-heads.forEach((h,i)=>{const k=document.createElement('button');k.type='button';k.append(...h.childNodes);h.append(k);
+if(heads.every(h=>h.textContent))heads.forEach((h,i)=>{const k=document.createElement('button');k.type='button';k.append(...h.childNodes);h.append(k);
 k.onclick=()=>{const up=h.getAttribute('aria-sort')!=='ascending';heads.forEach(o=>o.removeAttribute('aria-sort'));
 h.setAttribute('aria-sort',up?'ascending':'descending');
 const key=r=>r.cells[i].dataset.sort??r.cells[i].textContent;
@@ -116,7 +118,10 @@ const last=r=>{const s=key(r);return s===''||s==='\u2013'?1:0};
 [...b.rows].sort((p,q)=>last(p)-last(q)||(up?1:-1)*low(key(p),key(q))).forEach(r=>b.append(r))}});
 if(b.rows.length>12&&!t.closest('details')){const f=document.createElement('input');f.type='search';f.className='filter';
 f.placeholder='Filter rows';f.setAttribute('aria-label','Filter rows of '+(t.caption?t.caption.textContent:'table'));
-f.oninput=()=>{const w=f.value.toLowerCase();for(const r of b.rows)r.hidden=!r.textContent.toLowerCase().includes(w)};
+const n=t.querySelector('.rows');
+f.oninput=()=>{const w=f.value.toLowerCase();let seen=0;
+for(const r of b.rows){r.hidden=!r.textContent.toLowerCase().includes(w);if(!r.hidden)++seen}
+if(n)n.textContent=(seen<b.rows.length?seen+' of ':'')+b.rows.length+' rows'};
 t.closest('.table').prepend(f)}})
 )js";
 

@@ -10,6 +10,8 @@
 namespace odemark {
 namespace {
 
+constexpr std::size_t long_table = 12;  // rows; the script of the page offers a filter beyond
+
 std::string classes(Align align, Status status) {
   std::string names = align == Align::right ? "right" : align == Align::centre ? "centre" : "";
   if (status != Status::plain) (names += names.empty() ? "" : " ") += to_string(status);
@@ -33,9 +35,17 @@ std::string to_html(const Table& table) {
   fmt::format_to(std::back_inserter(out),
                  ">\n<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n", name);
   out += "<table>\n";
-  if (!table.title.empty()) fmt::format_to(std::back_inserter(out), "<caption>{}</caption>\n", name);
+  // those that scroll inside their container, so that nobody takes what is seen for all
+  const std::string size =
+      rows.size() > long_table ? fmt::format("<span class=\"rows\">{} rows</span>", rows.size()) : "";
+  if (!table.title.empty() || !size.empty())
+    fmt::format_to(std::back_inserter(out), "<caption>{}{}</caption>\n", escaped(table.title), size);
   out += "<thead><tr>";
   for (const Column& column : table.columns) {
+    if (column.name.empty() && column.unit.empty()) {  // heads nothing, and the script sorts nothing by it
+      out += "<td></td>";
+      continue;
+    }
     fmt::format_to(std::back_inserter(out), "<th scope=\"col\"{}>{}", classes(column.align, Status::plain),
                    escaped(column.name));
     if (!column.unit.empty())

@@ -122,6 +122,12 @@ Table limits_table(const ProblemSheet& sheet) {
   return table;
 }
 
+/// As the cards of the report have it: where something is measured per second.
+bool in_seconds(const ProblemSheet& sheet) {
+  return std::any_of(sheet.components.begin(), sheet.components.end(),
+                     [](const auto& component) { return component.second.find("/s") != std::string::npos; });
+}
+
 std::optional<Chart> picture(const ProblemSheet& sheet) {
   if (!sheet.scene || sheet.scene->exact.empty()) return std::nullopt;
   const Scene& scene = *sheet.scene;
@@ -130,7 +136,8 @@ std::optional<Chart> picture(const ProblemSheet& sheet) {
   const Trajectory& drawn = scene.exact.back();
   const bool path = scene.exact.size() > 1;
   chart.y.label = with_unit(drawn.component, drawn.unit);
-  chart.x.label = path ? with_unit(scene.exact.front().component, scene.exact.front().unit) : "t";
+  chart.x.label = path ? with_unit(scene.exact.front().component, scene.exact.front().unit)
+                       : with_unit("t", in_seconds(sheet) ? "s" : "");
   chart.equal_aspect = path;
   Series line{"exact", "solution", "", {}, {.marker = Marker::none, .line = Line::solid}};
   for (std::size_t i = 0; i < drawn.value.size(); ++i)

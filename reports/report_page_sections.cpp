@@ -198,9 +198,13 @@ Section tolerance_section(const ReportData& data) {
                            judged, deceived));
   if (const auto& settling = data.input.pictures.settling; !settling.empty())
     add_answer(section, settling_answer(settling));
-  for (const ProblemCurves& problem : data.problems)
-    if (Chart chart = step_size_chart(data.rows, problem.problem, data.palette); !chart.series.empty())
+  for (const ProblemCurves& problem : data.problems) {
+    const ProblemCard* card = find_card(data.input.pictures, problem.problem);
+    if (Chart chart =
+            step_size_chart(data.rows, problem.problem, data.palette, card && card->in_seconds ? "s" : "");
+        !chart.series.empty())
       section.blocks.push_back(std::move(chart));
+  }
   section.blocks.push_back(calibration_table(codes));
   if (const auto& settling = data.input.pictures.settling; !settling.empty())
     section.blocks.push_back(settling_table(settling));

@@ -21,11 +21,13 @@ double distance(const Row& row) { return std::abs(std::log(*row.rtol / wished));
 
 }  // namespace
 
-Chart step_size_chart(const std::vector<Row>& rows, const std::string& problem, const Palette& palette) {
+Chart step_size_chart(const std::vector<Row>& rows, const std::string& problem, const Palette& palette,
+                      const std::string& unit) {
   Chart chart{
       .id = problem + "-step-sizes", .title = problem + ": the steps that codes choose", .caption = ""};
-  chart.x = {.label = "t"};
-  chart.y = {.label = "h", .scale = Scale::log10};
+  const std::string in = unit.empty() ? "" : fmt::format(" [{}]", unit);
+  chart.x = {.label = "t" + in};
+  chart.y = {.label = "h" + in, .scale = Scale::log10};
   double nearest = std::numeric_limits<double>::infinity(), tolerance = 0;
   for (const Row& row : rows)
     if (row.problem == problem && row.rtol && row.history && distance(row) < nearest)

@@ -19,7 +19,11 @@ constexpr double overview_error = 1e-6;
 
 Series cost_series(const WorkCurve& curve, const Palette& palette, Cost cost) {
   Series series{curve.label, curve.label, curve.family, {}, palette.style_of(curve.method)};
-  if (curve.adaptive) series.style.line = Line::dashed;
+  // beyond ten families the palette starts its colours again with other lines; dashed is taken here
+  if (curve.adaptive)
+    series.style.line = Line::dashed;
+  else if (series.style.line == Line::dashed)
+    series.style.line = Line::dotted;
   for (const CurvePoint& p : curve.points) {
     if (cost == Cost::time && !std::isfinite(p.time)) continue;  // failed runs are not timed
     series.points.push_back({rounded(p.cost(cost)), rounded(p.error), p.failed,
@@ -63,6 +67,16 @@ Cell overview_cell(const ProblemCurves& problem, const std::string& method, doub
   return {fmt::format("{:.1f} | {}", digits, speed), status, rounded(digits, 4)};
 }
 
+std::string lines_in_words(const Chart& chart) {
+  const auto any = [&](Line line) {
+    return std::any_of(chart.series.begin(), chart.series.end(),
+                       [&](const Series& series) { return series.style.line == line; });
+  };
+  std::string text = any(Line::dashed) ? " Dashed: the method chooses its own steps." : "";
+  if (any(Line::dotted)) text += " Dotted: fixed steps, as where the line is solid.";
+  return text;
+}
+
 }  // namespace
 
 Chart error_by_cost(const ProblemCurves& problem, const Palette& palette, Cost cost) {
@@ -80,10 +94,11 @@ Chart error_by_cost(const ProblemCurves& problem, const Palette& palette, Cost c
     chart.bands.push_back(
         {.direction = Direction::horizontal, .high = problem.floor, .label = "round-off floor"});
   if (!time) chart.slopes = SlopeFan{{-1, -2, -4}};
-  chart.caption = time ? "Down and left is better. Dashed: the method chooses its own steps. Runs that did "
-                         "not reach the end were not timed."
-                       : "Down and left is better. Dashed: the method chooses its own steps. Jacobians and "
-                         "matrix solves of implicit methods are not in this count, but in the time below.";
+  chart.caption =
+      "Down and left is better." + lines_in_words(chart) +
+      (time ? " Runs that did not reach the end were not timed."
+            : " Jacobians and matrix solves of implicit methods are not in this count, but in the time "
+              "below.");
   return chart;
 }
 

@@ -77,6 +77,10 @@ ProblemSheet ball() {
   preset.fastest_decay = 1000, preset.stiffness_ratio = 500;
   preset.limits = {{"rk4", 0.0027}, {"implicit_euler", {}}};
   sheet.presets = {preset};
+  Trajectory falling;
+  falling.component = "v", falling.unit = "m/s", falling.t = {0, 1, 2}, falling.value = {0, -10, -20};
+  sheet.scene.emplace().problem = "ball";
+  sheet.scene->exact = {falling};
   return sheet;
 }
 
@@ -89,6 +93,11 @@ TEST(ProblemPages, SayWhatIsKnown) {
                            "three bounces", "no limit", "0.0027", "500"})
     EXPECT_THAT(html, HasSubstr(part));
   EXPECT_THAT(to_markdown(pages.front().page, "svg"), HasSubstr("```\nx' = v;  v' = -g\n```"));
+  EXPECT_THAT(html, Not(HasSubstr(">t</text>")));
+  EXPECT_THAT(html, HasSubstr(">t [s]</text>"));
+  auto without_unit = ball();
+  for (auto& [name, unit] : without_unit.components) unit.clear();
+  EXPECT_THAT(to_html(family_pages({without_unit}).front().page), HasSubstr(">t</text>"));
   const std::string overview = to_html(families_page({ball()}));
   EXPECT_THAT(overview, HasSubstr("families/ball.html"));
   EXPECT_THAT(overview, HasSubstr("1 families, 1 presets, 1 of them certified to 30 digits or more"));

@@ -12,6 +12,7 @@
 #include "reports/failures.hpp"
 #include "reports/precision.hpp"
 #include "reports/stability_page.hpp"
+#include "reports/work_precision.hpp"
 #include "tests/report_rows.hpp"
 
 namespace odemark {
@@ -108,6 +109,24 @@ TEST(WorkCurves, BestOfFamilyIsOnePerFamilyAndTheFourThatEverybodyKnows) {
   const auto shown = best_of_family(problems[0], true);
   EXPECT_EQ(shown.size(), 3u);  // one Taylor order, rk4 (twice over), explicit_euler
   for (const auto i : shown) EXPECT_NE(problems[0].curves[i].method, "unknown_midpoint");
+}
+
+TEST(WorkPrecision, TheCaptionSaysWhatTheLinesAre) {
+  std::vector<PaletteMember> members;
+  for (int i = 0; i < 10; ++i) members.push_back({"m" + std::to_string(i), "family" + std::to_string(i)});
+  members.push_back({"m", "the eleventh"});  // the palette draws it dashed
+  members.push_back({"rk4", "family0"});
+  const Palette palette(members);
+  ProblemCurves problem{"p", 0, false, {curve_of_errors({1e-2, 1e-4, 1e-8})}};
+  problem.curves[0].family = "the eleventh";
+  const auto caption = [&] { return error_by_cost(problem, palette, Cost::evaluations).caption; };
+  EXPECT_EQ(caption().find("Dashed"), std::string::npos) << caption();
+  EXPECT_NE(caption().find("Dotted: fixed steps"), std::string::npos) << caption();
+  WorkCurve other = curve_of_errors({1e-2, 1e-4, 1e-8});
+  other.method = other.label = "rk4", other.family = "family0", other.adaptive = true;
+  problem.curves = {other};
+  EXPECT_NE(caption().find("Dashed: the method chooses its own steps."), std::string::npos) << caption();
+  EXPECT_EQ(caption().find("Dotted"), std::string::npos) << caption();
 }
 
 TEST(Convergence, FloorIsDrawnAndDivergedRunsStandOnTheFrame) {

@@ -119,6 +119,9 @@ TEST(StepSizes, AreDrawnAtTheToleranceNearestToAMillionth) {
   EXPECT_EQ(chart.series[0].points[1].x, 0.5);
   EXPECT_EQ(chart.series[0].points[1].y, 0.02);
   EXPECT_EQ(chart.series[1].points[0].y, 0.04);
+  EXPECT_EQ(chart.x.label, "t");
+  EXPECT_EQ(step_size_chart(rows, "p", palette, "s").x.label, "t [s]");
+  EXPECT_EQ(step_size_chart(rows, "p", palette, "s").y.label, "h [s]");
   EXPECT_TRUE(step_size_chart(rows, "q", palette).series.empty());
   rows[1].history.reset(), rows[2].history.reset();
   EXPECT_TRUE(step_size_chart({rows[1], rows[2]}, "p", palette).series.empty());
