@@ -15,22 +15,25 @@ namespace {
 
 constexpr double same_limit = 1e-6;  // relative; what the gate allows against theory
 
-using Index = std::map<std::string, const StabilityRow*>;
+using LimitIndex = std::map<std::string, const StabilityRow*>;
 
-Index index_of(const std::vector<StabilityRow>& rows) {
-  Index index;
+LimitIndex limits_by_id(const std::vector<StabilityRow>& rows) {
+  LimitIndex index;
   for (const StabilityRow& row : rows)
     if (row.verdict != "blank")
       index.insert_or_assign(fmt::format("stability/{}/{}/{}", row.problem, row.method, row.scalar), &row);
   return index;
 }
 
-int rank(const StabilityRow& row) { return row.verdict == "unlimited" ? 2 : row.verdict == "limit" ? 1 : 0; }
+int rank_of_limit(const StabilityRow& row) {
+  return row.verdict == "unlimited" ? 2 : row.verdict == "limit" ? 1 : 0;
+}
 
-Fate fate_of(const StabilityRow& before, const StabilityRow& now) {
+Fate fate_of_limit(const StabilityRow& before, const StabilityRow& now) {
   if (now.failure.empty() != before.failure.empty())
     return now.failure.empty() ? Fate::improved : Fate::regressed;
-  if (rank(now) != rank(before)) return rank(now) > rank(before) ? Fate::improved : Fate::regressed;
+  if (rank_of_limit(now) != rank_of_limit(before))
+    return rank_of_limit(now) > rank_of_limit(before) ? Fate::improved : Fate::regressed;
   if (now.measured && before.measured) {
     const double moved = *now.measured - *before.measured;
     // so that NaN is not the same
@@ -42,7 +45,7 @@ Fate fate_of(const StabilityRow& before, const StabilityRow& now) {
   return now.later_bands == before.later_bands ? Fate::same : Fate::changed;
 }
 
-std::string printed(const StabilityRow& row) {
+std::string limit_in_words(const StabilityRow& row) {
   if (!row.failure.empty()) return row.failure;
   return row.verdict == "limit" && row.measured ? significant(*row.measured, 7) : row.verdict;
 }
@@ -51,7 +54,7 @@ std::string printed(const StabilityRow& row) {
 
 void compare_limits(Comparison& comparison, const NamedRows& before, const NamedRows& now,
                     CompareFilter filter) {
-  const Index old_rows = index_of(before.stability), new_rows = index_of(now.stability);
+  const LimitIndex old_rows = limits_by_id(before.stability), new_rows = limits_by_id(now.stability);
   for (const auto& [id, row] : old_rows)
     if (!new_rows.contains(id)) comparison.one_side.rows.push_back({{id}, {before.name}});
   for (const auto& [id, row] : new_rows) {
@@ -60,12 +63,15 @@ void compare_limits(Comparison& comparison, const NamedRows& before, const Named
       comparison.one_side.rows.push_back({{id}, {now.name}});
       continue;
     }
-    const Fate fate = fate_of(*found->second, *row);
+    const Fate fate = fate_of_limit(*found->second, *row);
     count_fate(comparison, fate);
     if (!is_shown(fate, filter)) continue;
     const auto [word, status] = in_words(fate);
-    comparison.limits.rows.push_back(
-        {{id}, {now.name}, {printed(*found->second)}, {printed(*row)}, {std::string(word), status}});
+    comparison.limits.rows.push_back({{id},
+                                      {now.name},
+                                      {limit_in_words(*found->second)},
+                                      {limit_in_words(*row)},
+                                      {std::string(word), status}});
   }
 }
 

@@ -190,5 +190,31 @@ TEST(compare, orders_and_what_only_one_side_has) {
   EXPECT_THROW(compare({{"a", before}}), std::invalid_argument);
 }
 
+TEST(compare, limits_that_moved_vanished_or_are_on_one_side) {
+  const std::vector<StabilityRow> before{good_limit("rk4", "limit", 2.8), good_limit("heun", "unstable", 0),
+                                         good_limit("gauss4", "unlimited", 0),
+                                         good_limit("rk38", "limit", 2.8),
+                                         good_limit("kutta3", "limit", 1.7)};
+  auto now = before;
+  now[0].measured = 2.7, now[1].verdict = "limit", now[1].measured = 0.1;
+  now[2].verdict = "unstable", now[3].measured = 2.8 * (1 + 1e-8);
+  now.back().method = "ralston3";
+  const auto result = compare({{"a", good_rows(), before}, {"b", good_rows(), now}}, CompareFilter::changed);
+  const auto verdict = [&](const char* method) {
+    return cell_of(result.limits, std::string("stability/oscillator/") + method + "/double", "verdict");
+  };
+  EXPECT_EQ(verdict("rk4"), "regressed");
+  EXPECT_EQ(verdict("heun"), "improved");
+  EXPECT_EQ(verdict("gauss4"), "regressed");
+  EXPECT_EQ(verdict("rk38"), "none") << "within what two measurements differ by";
+  EXPECT_EQ(result.regressed, 2);
+  EXPECT_EQ(result.improved, 1);
+  EXPECT_EQ(result.same, static_cast<int>(good_rows().size()) + 1);
+  ASSERT_EQ(result.one_side.rows.size(), 2u);
+  EXPECT_EQ(result.one_side.rows[0][0].text, "stability/oscillator/kutta3/double");
+  EXPECT_EQ(result.one_side.rows[1][1].text, "b");
+  EXPECT_EQ(compare({{"a", good_rows(), before}, {"b", good_rows()}}).one_side.rows.size(), before.size());
+}
+
 }  // namespace
 }  // namespace odemark
