@@ -219,17 +219,6 @@ TEST(Tables, HtmlEscapesAndRefusesScriptLinks) {
   EXPECT_NE(html.find("data-sort=\"0.5\""), html.npos);
 }
 
-TEST(Tables, HtmlSaysHowManyRowsScroll) {
-  Table table{"long", "Long", "", {{"of it"}, {""}}, {}};
-  for (int i = 0; i < 12; ++i) table.rows.push_back({{"a"}, {"b"}});
-  EXPECT_NE(to_html(table).find("<caption>Long</caption>"), std::string::npos);
-  EXPECT_NE(to_html(table).find("<th scope=\"col\">of it</th><td></td></tr>"), std::string::npos)
-      << "what heads nothing is no header";
-  table.rows.push_back({{"a"}, {"b"}});
-  EXPECT_NE(to_html(table).find("<caption>Long<span class=\"rows\">13 rows</span></caption>"),
-            std::string::npos);
-}
-
 TEST(Tables, SurplusCellsAreAnError) {
   Table table = sample();
   table.rows[0].resize(3);
@@ -286,13 +275,6 @@ TEST(Html, SelfContainedUniqueAndDeterministic) {
   EXPECT_EQ(count(html, "<details>"), 2u);
   EXPECT_EQ(count(html, "src="), 0u);
   EXPECT_EQ(count(html, "http"), count(html, "http://www.w3.org/2000/svg"));
-}
-
-TEST(Html, LongNamesInALegendMayBreak) {
-  Chart chart = convergence();
-  chart.series[0].label = "velocity_verlet_<x>";
-  const std::string html = to_html(Page{.title = "t", .sections = {{"s", "S", {chart}}}});
-  EXPECT_NE(html.find("<span>velocity_<wbr>verlet_<wbr>&lt;x&gt;</span></li>"), std::string::npos);
 }
 
 TEST(Html, ChartDataTableKeepsEveryPoint) {

@@ -119,5 +119,23 @@ TEST(ConsoleSummary, IsAboutADozenLines) {
   EXPECT_NE(text.find("14 hold"), std::string::npos);
 }
 
+TEST(Tables, HtmlSaysHowManyRowsScroll) {
+  Table table{"long", "Long", "", {{"of it"}, {""}}, {}};
+  for (int i = 0; i < 12; ++i) table.rows.push_back({{"a"}, {"b"}});
+  EXPECT_NE(to_html(table).find("<caption>Long</caption>"), std::string::npos);
+  EXPECT_NE(to_html(table).find("<th scope=\"col\">of it</th><td></td></tr>"), std::string::npos)
+      << "what heads nothing is no header";
+  table.rows.push_back({{"a"}, {"b"}});
+  EXPECT_NE(to_html(table).find("<caption>Long<span class=\"rows\">13 rows</span></caption>"),
+            std::string::npos);
+}
+
+TEST(Html, LongNamesInALegendMayBreak) {
+  Chart chart{.id = "c", .title = "t", .caption = ""};
+  chart.series.push_back({"rk4", "velocity_verlet_<x>", "", {{1, 1}, {2, 2}}});
+  const std::string html = to_html(Page{.title = "t", .sections = {{"s", "S", {chart}}}});
+  EXPECT_NE(html.find("<span>velocity_<wbr>verlet_<wbr>&lt;x&gt;</span></li>"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace odemark

@@ -75,9 +75,10 @@ std::string unexpected_words(const CLI::App& app) {
   std::vector<std::string> known;
   for (const CLI::Option* one : command.get_options())
     for (const auto& name : one->get_lnames()) known.push_back("--" + name);
-  const bool top = &command == &app;
-  return fmt::format("{} has no option {}{}: `odemark {}--help` shows them", command.get_name(), typed,
-                     suggestion(typed, known), top ? "" : command.get_name() + " ");
+  if (&command == &app)
+    return fmt::format("there is no option {}{}: `odemark --help` shows them", typed, suggestion(typed, known));
+  return fmt::format("{0} has no option {1}{2}: `odemark {0} --help` shows them", command.get_name(), typed,
+                     suggestion(typed, known));
 }
 
 }  // namespace odemark

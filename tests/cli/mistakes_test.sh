@@ -41,6 +41,7 @@ refused 2 'there is no style of progress "fancy": auto, bar, lines, none' run "$
 refused 2 'did you mean "json"?' list --format jsno
 refused 2 'run has no option --suit (did you mean "--suite"?)' run --suit quick
 refused 2 'run has no option --suit (did you mean "--suite"?)' run --suit=quick
+refused 2 'there is no option --verson (did you mean "--version"?)' --verson
 refused 2 'run does not take "quick"' run quick
 refused 2 'did you mean "dormand_prince54"?' run --methods dopri5 --problems oscillator -o "$out"
 refused 2 'did you mean "dop853"?' methods DOP853
