@@ -44,11 +44,19 @@ class ExtrapolationStepper {
  public:
   using State = typename Table::State;
   using Real = typename Table::Real;
+  static constexpr bool refuses = requires(Table table) { table.refuse_poor_steps(true); };
 
   template <System P>
   ExtrapolationStepper(const P& system, const State& model) : table_(system, model) {}
 
-  void start() { begun_ = false; }
+  void start() {
+    begun_ = false;
+    if constexpr (refuses) table_.refuse_poor_steps(false);
+  }
+  void start(const ErrorControl&) requires(refuses) {
+    begun_ = false;
+    table_.refuse_poor_steps(true);
+  }
   void accept() { begun_ = false; }
   NewtonCounts newton_counts() const { return table_.counts(); }
 
