@@ -1,17 +1,22 @@
 // Every method of the suite does what its coefficients say, in double and in float.
 #include "bench/measured_facts.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <complex>
 
 #include "bench/facts.hpp"
 #include "bench/linear_block.hpp"
+#include "integrators/erase_method.hpp"
+#include "integrators/methods/hht_alpha_005.hpp"
 #include "tests/support/runs.hpp"
 
 namespace odemark {
 namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
 
 class Measured : public testing::TestWithParam<const AnyMethod*> {};
 
@@ -55,6 +60,26 @@ TEST(MeasuredFacts, WhatIsMeasuredOfAPair) {
                                                "evaluations_per_step float", "quadrature in t float",
                                                "real_interval double", "oscillator_limit double"}));
   }
+}
+
+/// Without the damping of its beta and gamma the blend of forces is of order 1.
+constexpr auto undamped_blend = [] {
+  auto m = hht_alpha_005;
+  m.id = "undamped_blend";
+  m.gamma = 0.5L;
+  return m;
+}();
+static_assert(!undamped_blend.second_order_and_stable());
+
+/// A carried acceleration excuses what its start leaves behind, which falls as h^2, and no error that falls
+/// as h.
+TEST(MeasuredFacts, ACarriedAccelerationIsNoExcuseForAnOrderLess) {
+  const AnyMethod method = erase_method<undamped_blend>();
+  FactSheet sheet = fact_sheet(method);
+  sheet.measured = measure_facts(method);
+  const auto faults = measured_faults(sheet);
+  EXPECT_THAT(faults, Contains(HasSubstr("undamped_blend: quadrature in t in double")));
+  EXPECT_THAT(faults, Contains(HasSubstr("undamped_blend: quadrature in t in float")));
 }
 
 /// Does the estimate of a step of y' = lambda y vanish, though the step is off? Then no step of a linear

@@ -10,9 +10,7 @@
 #include "integrators/methods/blanes_moan_rkn4.hpp"
 #include "integrators/methods/bogacki_shampine32.hpp"
 #include "integrators/methods/dormand_prince54.hpp"
-#include "integrators/methods/generalised_alpha_r08.hpp"
 #include "integrators/methods/heun.hpp"
-#include "integrators/methods/hht_alpha_005.hpp"
 #include "integrators/methods/mclachlan_atela4.hpp"
 #include "integrators/methods/radau_iia5.hpp"
 #include "integrators/methods/rk4.hpp"
@@ -192,25 +190,6 @@ TEST(PlantedInSteps, AStarterOfTooLowOrder) {
               Contains(HasSubstr("bdf_poor_start: quadrature in t in double")));
   EXPECT_THAT(measured_faults_of(erase_method<planted::adams_copied_start>()),
               Contains(HasSubstr("adams_copied_start: quadrature in t in double")));
-}
-
-/// Without the damping of its beta and gamma the blend of forces is of order 1.
-constexpr auto undamped_blend = [] {
-  auto m = hht_alpha_005;
-  m.id = "undamped_blend";
-  m.gamma = 0.5L;
-  return m;
-}();
-static_assert(!undamped_blend.second_order_and_stable());
-
-/// A carried acceleration excuses what its start leaves behind, which falls as h^2, and no error that falls
-/// as h.
-TEST(PlantedInSteps, ACarriedAccelerationIsNoExcuseForAnOrderLess) {
-  const auto faults = measured_faults_of(erase_method<undamped_blend>());
-  EXPECT_THAT(faults, Contains(HasSubstr("undamped_blend: quadrature in t in double")));
-  EXPECT_THAT(faults, Contains(HasSubstr("undamped_blend: quadrature in t in float")));
-  EXPECT_THAT(measured_faults_of(erase_method<hht_alpha_005>()), IsEmpty());
-  EXPECT_THAT(measured_faults_of(erase_method<generalised_alpha_r08>()), IsEmpty());
 }
 
 constexpr auto wrong_nystrom = [] {
