@@ -82,9 +82,10 @@ struct FixedExtrapolation {
   static constexpr unsigned needs = 0;
 
   std::string_view id, source;
-  std::string_view advice = "";
+  std::string_view note = "", advice = "";
   int order = Rule::order_of(Rows);
   int embedded_order = Rule::order_of(Rows - 1);
+  bool jumps_over_poles = false;  // see AnyMethod
 
   Theory theory() const { return Rule::template theory<Rows>(); }
 
