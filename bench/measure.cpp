@@ -16,6 +16,7 @@ RowErrors errors_at_end(const AnyProblem& problem, const TruthPoint& truth,
   RowErrors errors;
   double squares = 0;
   bool has_relative = true;
+  double left = 0;
   double relative = 0;
   for (std::size_t i = 0; i < y.size(); ++i) {
     const long double gap = std::abs(difference(y[i], truth.values[i]));
@@ -24,6 +25,7 @@ RowErrors errors_at_end(const AnyProblem& problem, const TruthPoint& truth,
     errors.scaled = worse_of(errors.scaled, scaled);
     squares += scaled * scaled;
     const long double size = std::abs(truth.values[i].hi);
+    left = worse_of(left, double(size / static_cast<long double>(problem.scale[i])));
     if (size > 0)
       relative = worse_of(relative, double(gap / size));
     else
@@ -31,6 +33,7 @@ RowErrors errors_at_end(const AnyProblem& problem, const TruthPoint& truth,
   }
   errors.rms = std::sqrt(squares / double(y.size()));
   if (has_relative) errors.relative = relative;
+  if (left < next_to_nothing) errors.left = left;
   return errors;
 }
 
