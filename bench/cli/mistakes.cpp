@@ -76,7 +76,8 @@ std::string unexpected_words(const CLI::App& app) {
   for (const CLI::Option* one : command.get_options())
     for (const auto& name : one->get_lnames()) known.push_back("--" + name);
   if (&command == &app)
-    return fmt::format("there is no option {}{}: `odemark --help` shows them", typed, suggestion(typed, known));
+    return fmt::format("there is no option {}{}: `odemark --help` shows them", typed,
+                       suggestion(typed, known));
   return fmt::format("{0} has no option {1}{2}: `odemark {0} --help` shows them", command.get_name(), typed,
                      suggestion(typed, known));
 }
