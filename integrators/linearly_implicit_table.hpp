@@ -1,8 +1,8 @@
 // The linearly implicit Euler rule with First, First + 1, ... substeps, extrapolated in h row by row.
 #pragma once
 
-#include "integrators/dense_lu.hpp"
 #include "integrators/jacobian.hpp"
+#include "integrators/shifted_lu.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -27,13 +27,16 @@ class LinearlyImplicitTable {
   static constexpr int expansion_power = 1;
 
   LinearlyImplicitTable(const P& system, const State& model)
-      : system_(system), now_(model), move_(model), spare_(model), lu_(size_of(model)) {
+      : system_(system),
+        now_(model),
+        move_(model),
+        spare_(model),
+        jacobian_(jacobian_shape(system, model)),
+        lu_(jacobian_.shape()) {
     entries_.fill(model);
   }
 
-  void begin(Real t, const State& y) {
-    evaluate_jacobian(system_, t, y, MatrixView<Real>{lu_.jacobian(), size_of(y)}, now_, move_, spare_);
-  }
+  void begin(Real t, const State& y) { evaluate_jacobian(system_, t, y, jacobian_, now_, move_, spare_); }
   NewtonCounts counts() const { return counts_; }
 
   /// Adds the next row; `best` and `difference` are its last entry and how far that is from the one before.
@@ -42,7 +45,7 @@ class LinearlyImplicitTable {
   bool add_row(std::size_t row, Real t, const State& y, Real h, State& best, State& difference) {
     const int count = substeps(row);
     const Real small = h / static_cast<Real>(count);
-    lu_.factorize(small);
+    lu_.factorize_step(jacobian_, small);
     ++counts_.lu;
     now_ = y;
     for (int m = 1; m <= count; ++m) {
@@ -104,7 +107,8 @@ class LinearlyImplicitTable {
   const P& system_;
   State now_, move_, spare_;
   std::array<State, Rows> entries_;
-  DenseLu<Real> lu_;
+  JacobianMatrix<Real> jacobian_;
+  ShiftedLu<Real> lu_;
   NewtonCounts counts_;
 };
 
