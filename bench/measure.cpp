@@ -78,7 +78,8 @@ bool Watch::operator()(const std::vector<long double>& y) {
     next.phase = oscillation_->phase + std::remainder(next.phase - oscillation_->phase, 2 * std::acos(-1.0));
     oscillation_ = next;
   }
-  return (++calls_ & 255) != 0 || std::chrono::steady_clock::now() < deadline_;
+  // asking the clock is nothing beside a step of a large problem
+  return (!problem_.is_large() && (++calls_ & 255) != 0) || std::chrono::steady_clock::now() < deadline_;
 }
 
 void Watch::fill(Row& row) const {

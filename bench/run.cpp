@@ -167,7 +167,8 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
   // sixteen states of a large problem would be most of the memory of the run, and its truth knows the end
   if (request.trajectory && !problem.is_large()) trace.grid = common_times(problem);
   std::optional<StepRecord> record;
-  if (request.rtol && (request.step_sizes || request.local_errors))
+  // it keeps the state of every step
+  if (request.rtol && (request.step_sizes || request.local_errors) && !problem.is_large())
     record.emplace(problem, std::vector<long double>(y.begin(), y.end()));
   double last_finite = problem.t_begin;  // fixed steps go on through NaN: where the numbers ended
   trace.on_step = [&](T t, const T* state) {

@@ -69,11 +69,10 @@ void ShiftedLu<Real, Scalar, 0>::factorize(const JacobianMatrix<Real>& jacobian,
 }
 
 template <class Real, class Scalar>
-void ShiftedLu<Real, Scalar, 0>::factorize_step(const JacobianMatrix<Real>& jacobian,
-                                                Real diagonal) requires std::is_same_v<Real, Scalar> {
+void ShiftedLu<Real, Scalar, 0>::factorize_step(const JacobianMatrix<Real>& jacobian, Scalar diagonal) {
   if (!shape_.is_dense()) {
-    fill_band(jacobian, matrix_, [diagonal](Real x) { return -diagonal * x; });
-    add_to_diagonal(shape_, matrix_, Real(1));
+    fill_band(jacobian, matrix_, [diagonal](Real x) { return Scalar{} - diagonal * Scalar{x}; });
+    add_to_diagonal(shape_, matrix_, Scalar{Real(1)});
     return factorize_matrix();
   }
   with_size(shape_.size, [&](auto n) {

@@ -87,12 +87,13 @@ template <class Real, class Scalar, class Size>
   for (std::size_t i = 0; i < n; ++i) out[i * n + i] = shift + out[i * n + i];
 }
 /// Column-major `out` = I - diagonal jacobian.
-template <class Real, class Size>
-[[gnu::always_inline]] inline void step_matrix(const Real* jacobian, Real diagonal, Real* out, Size size) {
+template <class Real, class Scalar, class Size>
+[[gnu::always_inline]] inline void step_matrix(const Real* jacobian, Scalar diagonal, Scalar* out,
+                                               Size size) {
   const std::size_t n = size;
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i)
-      out[j * n + i] = Real(i == j ? 1 : 0) - diagonal * jacobian[j * n + i];
+      out[j * n + i] = Scalar{Real(i == j ? 1 : 0)} - diagonal * Scalar{jacobian[j * n + i]};
 }
 
 /// Scalar is Real or PlainComplex<Real>. A singular matrix gives infinities and NaN, which the step passes
@@ -107,7 +108,7 @@ class ShiftedLu {
     lu_factorize(matrix_.data(), reciprocal_.data(), row_.data(), Size{});
   }
   /// Of I - diagonal jacobian.
-  [[gnu::always_inline]] void factorize_step(const JacobianMatrix<Real, N>& jacobian, Real diagonal) {
+  [[gnu::always_inline]] void factorize_step(const JacobianMatrix<Real, N>& jacobian, Scalar diagonal) {
     step_matrix(jacobian.data(), diagonal, matrix_.data(), Size{});
     lu_factorize(matrix_.data(), reciprocal_.data(), row_.data(), Size{});
   }
@@ -132,9 +133,9 @@ class ShiftedLu<Real, Scalar, 0> {
  public:
   explicit ShiftedLu(const MatrixShape& shape);
   void factorize(const JacobianMatrix<Real>& jacobian, Scalar shift);
-  void factorize_step(const JacobianMatrix<Real>& jacobian,
-                      Real diagonal) requires std::is_same_v<Real, Scalar>;
-  bool has_positive_determinant() const requires std::is_same_v<Real, Scalar> {
+  void factorize_step(const JacobianMatrix<Real>& jacobian, Scalar diagonal);
+  template <class = void>  // of real matrices only, so compiled where it is asked for
+  bool has_positive_determinant() const {
     return lu_is_positive(reciprocal_.data(), row_.data(), shape_.size);
   }
   void solve_in_place(Scalar* b);
