@@ -17,6 +17,7 @@ HELP
 fi
 
 read_arguments "$@"
+[[ $sanitize == no ]] || fail 2 "--sanitize is an argument of ./test.sh"
 out=
 suite=(--suite quick)
 for ((i = 0; i < ${#arguments[@]}; ++i)); do

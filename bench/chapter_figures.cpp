@@ -7,7 +7,6 @@ namespace odemark::chapter {
 
 namespace {
 
-constexpr double table_dt = 0.5;  // s, the step of the chapter's table
 constexpr std::size_t displacement = 0, speed = 1;
 
 /// One Euler step of each size: the straight line along which the step leaves the curve.

@@ -15,6 +15,8 @@
 
 namespace odemark::chapter {
 
+inline constexpr double table_dt = 0.5;  // s, the step of Table 7-1
+
 /// Throws std::logic_error for an id that the catalogue lacks: the page is made for methods it has.
 const AnyMethod& method_called(std::string_view id);
 AnyProblem problem_called(std::string_view id, std::string_view settings = "");

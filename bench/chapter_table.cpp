@@ -10,7 +10,6 @@ namespace odemark::chapter {
 
 namespace {
 
-constexpr double table_dt = 0.5;  // s
 struct BookLine {
   double t;
   const char *exact, *euler, *error;

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double x) {
+Json json_number(double x) {
   if (std::isnan(x)) return nullptr;
   if (std::isinf(x)) return x > 0 ? "infinity" : "-infinity";
   return x;
@@ -19,22 +19,22 @@ Json number(double x) {
 Json value_json(const std::monostate&) { return nullptr; }
 Json value_json(bool x) { return x; }
 Json value_json(int x) { return x; }
-Json value_json(double x) { return number(x); }
+Json value_json(double x) { return json_number(x); }
 Json value_json(const FactPower& law) {
-  return {{"coefficient", number(law.coefficient)}, {"power", law.power}};
+  return {{"coefficient", json_number(law.coefficient)}, {"power", law.power}};
 }
 Json value_json(const FactIntervals& intervals) {
   Json out = Json::array();
-  for (const auto& [low, high] : intervals) out.push_back({number(low), number(high)});
+  for (const auto& [low, high] : intervals) out.push_back({json_number(low), json_number(high)});
   return out;
 }
 Json value_json(const FactNumbers& numbers) {
   Json out = Json::object();
-  for (const auto& [name, value] : numbers) out[name] = number(value);
+  for (const auto& [name, value] : numbers) out[name] = json_number(value);
   return out;
 }
 
-Json maybe(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
+Json json_number(const std::optional<double>& x) { return x ? json_number(*x) : Json(nullptr); }
 
 }  // namespace
 
@@ -54,10 +54,10 @@ std::string to_json(const FactSheet& sheet, int indent) {
     for (const auto& m : sheet.measured)
       measured.push_back({{"fact", m.fact},
                           {"scalar", m.scalar},
-                          {"theory", maybe(m.theory)},
-                          {"measured", maybe(m.measured)},
-                          {"difference", maybe(m.difference)},
-                          {"bound", maybe(m.bound)},
+                          {"theory", json_number(m.theory)},
+                          {"measured", json_number(m.measured)},
+                          {"difference", json_number(m.difference)},
+                          {"bound", json_number(m.bound)},
                           {"agrees", m.agrees},
                           {"note", m.note}});
     j["measured"] = measured;

@@ -10,7 +10,7 @@ foreach(target ${targets})
   get_target_property(is_tool ${target} EXCLUDE_FROM_ALL)
   if(type STREQUAL "EXECUTABLE" AND NOT is_tool)
     list(APPEND programs ${target})
-  elseif(type MATCHES "LIBRARY" AND NOT target STREQUAL "odemark_warnings")  # ours to heed, nobody else's
+  elseif(type MATCHES "LIBRARY" AND NOT type STREQUAL "OBJECT_LIBRARY" AND NOT target STREQUAL "odemark_warnings")  # ours to heed, nobody else's
     list(APPEND libraries ${target})
     string(REGEX REPLACE "^odemark_" "" name ${target})
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})

@@ -1,14 +1,31 @@
-# One library per folder; who may include whom is checked by the layers test.
+# One library per folder; who may include whom is checked by the layers test. LIGHT sources run once per row or page: they
+# gain nothing from -O3 and pay a third of their compile time for it; numbers are the same at every level. They share what
+# their headers instantiate by being compiled several at a time. Engines, right-hand sides and contestants stay at -O3.
 function(odemark_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;LIGHT;LINK;PRECOMPILE" ${ARGN})
+  set(parts odemark_${name})
   add_library(odemark_${name} STATIC ${arg_SOURCES})
   add_library(odemark::${name} ALIAS odemark_${name})
+  if(arg_LIGHT)
+    add_library(odemark_${name}_light OBJECT ${arg_LIGHT})
+    list(APPEND parts odemark_${name}_light)
+    if(CMAKE_BUILD_TYPE STREQUAL "Release")
+      target_compile_options(odemark_${name}_light PRIVATE -O1)
+    endif()
+    set_target_properties(odemark_${name}_light PROPERTIES UNITY_BUILD ${ODEMARK_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+    target_sources(odemark_${name} PRIVATE $<TARGET_OBJECTS:odemark_${name}_light>)
+    if(ODEMARK_PCH AND arg_PRECOMPILE)
+      target_precompile_headers(odemark_${name}_light PRIVATE ${arg_PRECOMPILE})
+    endif()
+  endif()
+  foreach(part ${parts})
+    target_include_directories(${part} PUBLIC
+      $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${ODEMARK_GENERATED}/include>
+      $<INSTALL_INTERFACE:include/odemark>)
+    target_link_libraries(${part} PUBLIC odemark::numbers ${arg_LINK})
+    target_link_libraries(${part} PRIVATE $<BUILD_INTERFACE:odemark_warnings>)
+  endforeach()
   set_target_properties(odemark_${name} PROPERTIES EXPORT_NAME ${name})
-  target_include_directories(odemark_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${ODEMARK_GENERATED}/include>
-    $<INSTALL_INTERFACE:include/odemark>)
-  target_link_libraries(odemark_${name} PUBLIC odemark::numbers ${arg_LINK})
-  target_link_libraries(odemark_${name} PRIVATE $<BUILD_INTERFACE:odemark_warnings>)
 endfunction()
 
 # Headers that most files of a library parse anyway.
@@ -20,24 +37,18 @@ endfunction()
 set(ODEMARK_COMMON_HEADERS <algorithm> <array> <cmath> <fmt/format.h> <functional> <limits> <map> <memory> <optional>
   <string> <string_view> <vector>)
 
-# What runs once per row or page gains nothing from -O3 and pays a third of its compile time for it. Numbers are the
-# same at every level; engines, right-hand sides and contestants stay at -O3.
-function(odemark_compile_lightly)
-  if(CMAKE_BUILD_TYPE STREQUAL "Release")
-    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O1)
-  endif()
-endfunction()
-
 file(GLOB integrators_sources CONFIGURE_DEPENDS integrators/*.cpp)
-odemark_library(integrators SOURCES ${integrators_sources} ${ODEMARK_METHOD_UNITS} LINK Eigen3::Eigen)
+set(once_per_method ${integrators_sources})
+list(FILTER once_per_method INCLUDE REGEX "/(linear_stability[a-z_]*|eigenvalues|real_polynomial|facts[a-z_]*)\\.cpp$")
+list(REMOVE_ITEM integrators_sources ${once_per_method})
+odemark_library(integrators SOURCES ${integrators_sources} ${ODEMARK_METHOD_UNITS} LIGHT ${once_per_method} LINK Eigen3::Eigen
+  PRECOMPILE ${ODEMARK_COMMON_HEADERS} <complex>)
+set_target_properties(odemark_integrators_light PROPERTIES UNITY_BUILD OFF)  # what they instantiate is mostly their own
 target_link_libraries(odemark_integrators PRIVATE $<BUILD_INTERFACE:Boost::headers>)
 
 # what every unit of a method parses: two thirds of the time of a small one
 odemark_precompile(odemark_integrators <algorithm> <array> <cmath> <complex> <functional> <limits> <string> <string_view>
   <tuple> <variant> <vector> ${PROJECT_SOURCE_DIR}/integrators/erase_method.hpp)
-set(once_per_method ${integrators_sources})
-list(FILTER once_per_method INCLUDE REGEX "/(linear_stability[a-z_]*|eigenvalues|real_polynomial|facts[a-z_]*)\\.cpp$")
-odemark_compile_lightly(${once_per_method})
 
 # problems/ is headers only: mathematics without integrators
 add_library(odemark_problems INTERFACE)
@@ -50,17 +61,17 @@ target_link_libraries(odemark_problems INTERFACE odemark::numbers)
 find_package(nlohmann_json REQUIRED)
 include(cmake/solutions.cmake)
 file(GLOB reference_sources CONFIGURE_DEPENDS reference/*.cpp)
-odemark_library(reference SOURCES ${reference_sources} ${ODEMARK_FAMILY_UNITS} ${ODEMARK_WIDE_UNITS}
-  ${ODEMARK_GENERATED}/stored_solutions.cpp
+odemark_library(reference SOURCES ${ODEMARK_FAMILY_UNITS} LIGHT ${reference_sources} ${ODEMARK_WIDE_UNITS}
+  ${ODEMARK_GENERATED}/stored_solutions.cpp PRECOMPILE ${ODEMARK_COMMON_HEADERS} <nlohmann/json.hpp>
+  ${PROJECT_SOURCE_DIR}/reference/make_wide_family.hpp
   LINK odemark::integrators odemark::problems Boost::headers fmt::fmt nlohmann_json::nlohmann_json)
 
 # Makes and verifies reference/solutions; run from the top of the sources.
 add_executable(odemark_make_solutions EXCLUDE_FROM_ALL tools/make_solutions.cpp)
 target_link_libraries(odemark_make_solutions PRIVATE odemark::reference odemark_warnings Threads::Threads)
 
-odemark_compile_lightly(${ODEMARK_WIDE_UNITS} ${reference_sources})  # wide arithmetic is a library call per operation
-odemark_precompile(odemark_reference ${ODEMARK_COMMON_HEADERS} <nlohmann/json.hpp>
-  ${PROJECT_SOURCE_DIR}/reference/make_wide_family.hpp)
+odemark_precompile(odemark_reference ${ODEMARK_COMMON_HEADERS} ${PROJECT_SOURCE_DIR}/reference/make_family.hpp)
+set_source_files_properties(${ODEMARK_WIDE_UNITS} ${ODEMARK_GENERATED}/stored_solutions.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Third-party solvers, each its own target: GSL is GPL-3, and nobody must need all of them.
 set(ODEMARK_CONTESTANTS)
@@ -69,11 +80,8 @@ include(cmake/contestants.cmake)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
-odemark_library(bench SOURCES ${bench_sources} ${ODEMARK_STATIC_UNITS}
+odemark_library(bench SOURCES ${ODEMARK_STATIC_UNITS} LIGHT ${bench_sources} PRECOMPILE ${ODEMARK_COMMON_HEADERS}
   LINK odemark::reference ${ODEMARK_CONTESTANTS} Threads::Threads nlohmann_json::nlohmann_json)
-
-odemark_compile_lightly(${bench_sources})
-odemark_precompile(odemark_bench ${ODEMARK_COMMON_HEADERS})
 
 # What a results file says of the build: the commit if there is one, and the flags that matter to numbers.
 execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} describe --always --dirty
@@ -92,10 +100,7 @@ set_property(SOURCE ${PROJECT_SOURCE_DIR}/bench/machine.cpp APPEND PROPERTY COMP
   "ODEMARK_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\"" "ODEMARK_VERSION=\"${PROJECT_VERSION}\"")
 
 file(GLOB reports_sources CONFIGURE_DEPENDS reports/*.cpp)
-odemark_library(reports SOURCES ${reports_sources}
+odemark_library(reports LIGHT ${reports_sources} PRECOMPILE ${ODEMARK_COMMON_HEADERS} <nlohmann/json.hpp>
   LINK fmt::fmt nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus)
-
-odemark_compile_lightly(${reports_sources})
-odemark_precompile(odemark_reports ${ODEMARK_COMMON_HEADERS} <nlohmann/json.hpp>)
 
 include(cmake/cli.cmake)

@@ -7,7 +7,7 @@ namespace odemark {
 
 namespace {
 
-constexpr double floor_of_scale = 1e-12;
+constexpr double least_unit = 1e-12;
 
 std::vector<Wide> nodes_of(const StiffStages& method, bool with_start) {
   std::vector<Wide> nodes = method.c;
@@ -23,7 +23,7 @@ CollocationTruth::CollocationTruth(Kind kind, RunTolerance tolerance, int stages
       method_(kind == Kind::radau ? radau_iia(stages) : lobatto_iiic(stages)),
       transform_(legendre_transform(nodes_of(method_, kind == Kind::radau))),
       nodes_(method_.stages + (kind == Kind::radau ? 1 : 0)),
-      newton_(method_, tolerance_, floor_of_scale) {}
+      newton_(method_, tolerance_, least_unit) {}
 
 std::string CollocationTruth::name() const {
   return (kind_ == Kind::radau ? "Radau IIA with " : "Lobatto IIIC with ") + std::to_string(method_.stages) +
@@ -70,7 +70,7 @@ long double CollocationTruth::step_bits(const std::vector<Wide>& y) {
   long double bits = 1e9L;
   for (std::size_t i = 0; i < n; ++i) {
     const Wide end = stage_[(method_.stages - 1) * n + i], size = abs(end) > abs(y[i]) ? abs(end) : abs(y[i]);
-    const long double unit = log2_size(error_unit(size, floor_of_scale, tolerance_.scale[i]));
+    const long double unit = log2_size(error_unit(size, least_unit, tolerance_.scale[i]));
     for (std::size_t k = degree - 3; k <= degree; ++k) {
       const long double c = log2_size(coefficients_[k * n + i]) - unit;
       bits = std::min(bits, tolerance / static_cast<long double>(degree) - c / static_cast<long double>(k));

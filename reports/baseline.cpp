@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string line_of(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string json_line(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 /// plan/problem/method/scalar[+compensated]/control says the case too; empty for an id of another shape.
 std::string case_of_id(std::string_view id) {
@@ -77,7 +77,7 @@ Json ladder_json(Runs::const_iterator& first, Runs::const_iterator end) {
 
 std::string lines_of(const std::vector<Json>& all) {
   std::string out = "[\n";
-  for (std::size_t i = 0; i < all.size(); ++i) out += line_of(all[i]) + (i + 1 < all.size() ? ",\n" : "\n");
+  for (std::size_t i = 0; i < all.size(); ++i) out += json_line(all[i]) + (i + 1 < all.size() ? ",\n" : "\n");
   return out + "]";
 }
 
@@ -171,8 +171,8 @@ std::string to_text(const Baseline& baseline) {
   const Json build = {
       {"compiler", baseline.compiler}, {"flags", baseline.flags}, {"build_type", baseline.build_type}};
   return fmt::format("{{\n\"schema\":{},\n\"tool\":{},\n\"build\":{},\n\"reason\":{},\n", baseline_schema,
-                     line_of(baseline.tool), line_of(build), line_of(baseline.reason)) +
-         fmt::format("\"columns\":{},\n\"orders\":{},\n\"ladders\":{}\n}}\n", line_of(Json(columns)),
+                     json_line(baseline.tool), json_line(build), json_line(baseline.reason)) +
+         fmt::format("\"columns\":{},\n\"orders\":{},\n\"ladders\":{}\n}}\n", json_line(Json(columns)),
                      lines_of(orders), lines_of(ladders));
 }
 

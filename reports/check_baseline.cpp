@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 #include "reports/verdict.hpp"
 
 namespace odemark {
 namespace {
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 /// Differences below this are round-off in the number type and the truth of the row.
 double floor_of(const Row& row, double floor_in_double) {

@@ -10,12 +10,11 @@
 #include <utility>
 
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 #include "reports/verdict.hpp"
 
 namespace odemark {
 namespace {
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 double norm_of(const RowErrors& e, std::string_view norm) {
   if (norm == "absolute") return e.absolute;

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "reports/numbers.hpp"
 
 namespace odemark {
 namespace {
@@ -125,7 +126,6 @@ Demands demands_on(const GateCase& gate_case, const Thresholds& thresholds, cons
 
 std::vector<const Row*> select_runs(const GateCase& gate_case, const RunSelector& runs) {
   using Kind = RunSelector::Kind;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double typed = 5e-3;  // people round the dt they type to three digits
   long most_steps = 0;
   double least_tolerance = infinity;

@@ -5,17 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 #include "reports/work_curves.hpp"
 
 namespace odemark {
 namespace {
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Fixed-step runs of each method with the dt nearest to the wanted one, on a logarithmic scale.
 std::vector<const Row*> nearest(const std::vector<Row>& rows, const std::string& problem, double dt) {

@@ -5,16 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 
 namespace odemark {
 namespace {
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Series dt_series(const WorkCurve& curve, const Palette& palette, Shown shown) {
   Series series{curve.label, curve.label, curve.family, {}, palette.style_of(curve.method)};

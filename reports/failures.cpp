@@ -6,18 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <tuple>
 
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 #include "reports/observed_order.hpp"
 
 namespace odemark {
 namespace {
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Gathered {
   std::string name, status, reason;

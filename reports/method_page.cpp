@@ -12,9 +12,9 @@ namespace odemark {
 
 namespace {
 
-constexpr int digits = 10;
+constexpr int page_digits = 10;
 
-std::string number_text(double x, int shown = digits) {
+std::string number_text(double x, int shown = page_digits) {
   if (std::isnan(x)) return std::string(no_value);
   if (std::isinf(x)) return x > 0 ? "∞" : "−∞";
   return compact(x, shown);
@@ -41,7 +41,7 @@ std::string text(const FactNumbers& numbers, int shown) {
   return out;
 }
 
-std::string value_text(const FactLine& line, int shown = digits) {
+std::string value_text(const FactLine& line, int shown = page_digits) {
   return std::visit([shown](const auto& value) { return text(value, shown); }, line.value);
 }
 
@@ -61,7 +61,7 @@ Cell cell(const FactSheet& sheet, std::string_view key) {
   return {value_text(*line, 5)};
 }
 
-std::string optional_number(const std::optional<double>& x, int shown = digits) {
+std::string optional_number(const std::optional<double>& x, int shown = page_digits) {
   return x ? number_text(*x, shown) : std::string(no_value);
 }
 

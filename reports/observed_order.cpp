@@ -19,7 +19,7 @@ bool is_usable(const Rung& rung, const OrderOptions& options) {
   return rung.error >= options.floor_factor * rung.floor && rung.error <= options.largest_error;
 }
 
-double error_of(const Row& row) {
+double error_at_end(const Row& row) {
   return row.status == "reached_end" && row.errors ? row.errors->scaled
                                                    : std::numeric_limits<double>::quiet_NaN();
 }
@@ -30,7 +30,7 @@ void add_rungs(ObservedOrder& order, const std::vector<Row>& curve, const OrderO
     if (row.steps && row.dt && *row.dt > 0 && std::isfinite(*row.dt) && row.status != "not_applicable")
       by_dt.emplace(*row.dt, &row);
   for (const auto& [dt, row] : by_dt) {
-    const double error = error_of(*row);
+    const double error = error_at_end(*row);
     if (!std::isfinite(error) || error < 0) {
       ++order.gaps;
       continue;

@@ -13,16 +13,16 @@ namespace {
 // at least 22 CIELAB units apart for normal, protanopic and deuteranopic sight (simulated after Viénot,
 // Brettel and Mollon, Color Research and Application 24, 1999). The first six are further apart than the
 // rest. Markers carry the rest.
-constexpr std::array<ThemeColour, 10> theme{{{"#0d96f5", "#5ea7ff"},
-                                             {"#9c2900", "#e64f03"},
-                                             {"#26a48c", "#96f9b2"},
-                                             {"#782283", "#b56980"},
-                                             {"#563142", "#c4edff"},
-                                             {"#c78700", "#ffdf00"},
-                                             {"#373cd7", "#4b7af7"},
-                                             {"#3d9ebd", "#00aece"},
-                                             {"#954c45", "#e4705c"},
-                                             {"#ab904d", "#ddee73"}}};
+constexpr std::array<ThemeColour, 10> theme_colours{{{"#0d96f5", "#5ea7ff"},
+                                                     {"#9c2900", "#e64f03"},
+                                                     {"#26a48c", "#96f9b2"},
+                                                     {"#782283", "#b56980"},
+                                                     {"#563142", "#c4edff"},
+                                                     {"#c78700", "#ffdf00"},
+                                                     {"#373cd7", "#4b7af7"},
+                                                     {"#3d9ebd", "#00aece"},
+                                                     {"#954c45", "#e4705c"},
+                                                     {"#ab904d", "#ddee73"}}};
 
 constexpr std::array markers{
     Marker::circle, Marker::square, Marker::triangle_up,    Marker::diamond, Marker::triangle_down,
@@ -38,19 +38,19 @@ Style nth_style(std::size_t family, std::size_t member) {
   // grey.
   const Marker marker = markers[(3 * family + member) % markers.size()];
   constexpr std::array cycles{Line::solid, Line::dashed, Line::dotted};
-  return {.colour = static_cast<int>(family % theme.size()),
+  return {.colour = static_cast<int>(family % theme_colours.size()),
           .marker = marker,
-          .line = cycles[(family / theme.size()) % cycles.size()],
+          .line = cycles[(family / theme_colours.size()) % cycles.size()],
           .filled = (member / markers.size()) % 2 == 0};
 }
 
 }  // namespace
 
-int theme_colour_count() { return static_cast<int>(theme.size()); }
+int theme_colour_count() { return static_cast<int>(theme_colours.size()); }
 
 ThemeColour theme_colour(int index) {
   const int count = theme_colour_count();
-  return theme[static_cast<std::size_t>(((index % count) + count) % count)];
+  return theme_colours[static_cast<std::size_t>(((index % count) + count) % count)];
 }
 
 Palette::Palette(const std::vector<PaletteMember>& in_order) {

@@ -6,21 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 #include "reports/palette.hpp"
 #include "reports/work_curves.hpp"
 
 namespace odemark {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-constexpr std::array<std::string_view, 4> wanted{"explicit_euler", "heun", "rk4", "taylor8"};
+constexpr std::array<std::string_view, 4> shown_methods{"explicit_euler", "heun", "rk4", "taylor8"};
 
 struct NumberKind {
   std::string_view scalar, name;
@@ -119,11 +116,11 @@ Chart precision_chart(const std::vector<ObservedOrder>& orders, const std::strin
   chart.x = {.label = "dt [s]", .scale = Scale::log10};
   chart.y = {.label = "scaled error", .scale = Scale::log10};
   std::vector<PaletteMember> members;  // colour by method, marker by number type
-  for (const auto& method : wanted)
+  for (const auto& method : shown_methods)
     for (const NumberKind& kind : kinds)
       members.push_back({fmt::format("{}, {}", method, kind.name), std::string(method)});
   const Palette palette(members);
-  for (const auto& method : wanted) {
+  for (const auto& method : shown_methods) {
     for (const NumberKind& kind : kinds) {
       const ObservedOrder* order = find(orders, problem, method, kind);
       if (!order || order->rungs.empty() || (kind.compensated && kind.scalar != "float")) continue;

@@ -5,17 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 #include "reports/verdict.hpp"
 #include "reports/work_curves.hpp"
 
 namespace odemark {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr double agreement = 1e-6;  // relative, beside the resolution of the measurement
 
 StabilityMatch match_of(const StabilityRow& row) { return judge_stability(row, agreement); }

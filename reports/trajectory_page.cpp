@@ -5,17 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 #include "reports/work_curves.hpp"
 
 namespace odemark {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Window {
+struct Frame {
   double low = infinity, high = -infinity;
 
   void see(double x) { low = std::min(low, x), high = std::max(high, x); }
@@ -43,7 +41,7 @@ std::vector<Point> until_it_leaves(const std::vector<double>& x, const std::vect
   return points;
 }
 
-void see_runs(const Scene& scene, double largest, Window& x_window, Window& y_window) {
+void see_runs(const Scene& scene, double largest, Frame& x_window, Frame& y_window) {
   for (const auto& run : scene.runs)
     for (std::size_t i = 0; i < run.y.value.size(); ++i)
       if (std::abs(run.y.value[i]) < largest)
@@ -51,8 +49,8 @@ void see_runs(const Scene& scene, double largest, Window& x_window, Window& y_wi
 }
 
 /// Widens the windows to the runs, but not beyond the ranges.
-void see_runs_within(const Scene& scene, const AxisRange& x_range, const AxisRange& y_range, Window& x_window,
-                     Window& y_window) {
+void see_runs_within(const Scene& scene, const AxisRange& x_range, const AxisRange& y_range, Frame& x_window,
+                     Frame& y_window) {
   for (const auto& run : scene.runs)
     for (std::size_t i = 0; i < run.y.value.size(); ++i) {
       const double x = run.x ? run.x->value[i] : run.y.t[i], y = run.y.value[i];
@@ -76,7 +74,7 @@ Chart trajectory_chart(const Scene& scene) {
               .caption = ""};
   chart.equal_aspect = plane;
   if (scene.runs.empty() && scene.exact.empty()) return chart;
-  Window x_window, y_window;
+  Frame x_window, y_window;
   if (!scene.exact.empty()) {
     const Trajectory& y = scene.exact.back();
     const auto& x = plane ? scene.exact.front().value : y.t;

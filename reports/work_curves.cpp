@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "reports/cheapest.hpp"
+#include "reports/numbers.hpp"
 #include "reports/observed_order.hpp"
 
 namespace odemark {
@@ -158,7 +159,6 @@ std::set<std::size_t> best_of_family(const ProblemCurves& problem, bool fixed_st
   std::set<std::size_t> shown;
   const bool has_own = std::any_of(problem.curves.begin(), problem.curves.end(),
                                    [](const WorkCurve& c) { return !c.adaptive && c.provider == "odemark"; });
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < problem.curves.size(); ++i) {
     const WorkCurve& curve = problem.curves[i];
     if (fixed_steps_only && (curve.adaptive || (has_own && curve.provider != "odemark"))) continue;

@@ -5,17 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "reports/cheapest.hpp"
 #include "reports/convergence.hpp"
 #include "reports/format.hpp"
+#include "reports/numbers.hpp"
 
 namespace odemark {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double overview_error = 1e-6;
 
 Series cost_series(const WorkCurve& curve, const Palette& palette, Cost cost) {

@@ -4,7 +4,7 @@
 set(bits_sources support/final_bits.cpp ${PROJECT_SOURCE_DIR}/integrators/shifted_lu.cpp
   ${PROJECT_SOURCE_DIR}/integrators/stage_modes.cpp)
 set(bits_programs)
-foreach(level 0 1 3)
+foreach(level 0 3)
   add_executable(final_bits_o${level} ${bits_sources})
   target_link_libraries(final_bits_o${level} PRIVATE odemark::numbers odemark_warnings Eigen3::Eigen)
   target_include_directories(final_bits_o${level} PRIVATE ${PROJECT_SOURCE_DIR})

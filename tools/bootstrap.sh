@@ -1,4 +1,4 @@
-# shellcheck shell=bash disable=SC2034  # `install` and `arguments` are for who sources this
+# shellcheck shell=bash disable=SC2034  # `install`, `sanitize` and `arguments` are for who sources this
 # Sourced by run.sh, test.sh and .ci/run: finds the tree, installs what apt-packages.txt asks for, configures, builds.
 set -euo pipefail
 
@@ -11,11 +11,12 @@ fail() { # exit code, sentence
   exit "$1"
 }
 
-# Prints the packages of the list that this machine lacks. $1: `run` or `test`; $2: `required` or `optional`.
+# Prints the packages of the list that this machine lacks. $1: `run`, `test` or `sanitize`; $2: `required` or `optional`.
 lacking() {
   local names words alternative
   while read -r names words; do
     [[ $1 == run && " $words " == *" test "* ]] && continue
+    [[ $1 != sanitize && " $words " == *" sanitize "* ]] && continue
     [[ $2 == optional && " $words " != *" optional "* ]] && continue
     [[ $2 == required && " $words " == *" optional "* ]] && continue
     for alternative in ${names//|/ }; do
@@ -31,7 +32,7 @@ apt() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@" >&2
 }
 
-# Brings the machine to the list. $1: `run` or `test`; $2: `yes` or `no`, whether installing is allowed.
+# Brings the machine to the list. $1: `run`, `test` or `sanitize`; $2: `yes` or `no`, whether installing is allowed.
 ensure_packages() {
   local required optional
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
@@ -73,12 +74,17 @@ build_preset() {
   (cd "$root" && cmake --build --preset "$preset" "$@") >&2 || fail $? "the build of build/$preset failed; the first error is above"
 }
 
-# Takes --no-install out of the arguments: sets `install` and the array `arguments`.
+# Takes --no-install and --sanitize out of the arguments: sets `install`, `sanitize` and the array `arguments`.
 read_arguments() {
   install=yes
+  sanitize=no
   arguments=()
   local argument
   for argument in "$@"; do
-    if [[ $argument == --no-install ]]; then install=no; else arguments+=("$argument"); fi
+    case $argument in
+      --no-install) install=no ;;
+      --sanitize) sanitize=yes ;;
+      *) arguments+=("$argument") ;;
+    esac
   done
 }
