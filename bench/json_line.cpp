@@ -24,8 +24,8 @@ Json work_json(const RowWork& w) {
           {"evaluations", w.evaluations}};
 }
 RowWork work_from(const Json& j) {
-  return {j.value("rhs", 0L), j.value("acceleration", 0L), j.value("jacobian", 0L),   j.value("series", 0L),
-          j.value("lu", 0L),  j.value("newton", 0L),       j.value("evaluations", 0L)};
+  return {whole(j, "rhs"), whole(j, "acceleration"), whole(j, "jacobian"),   whole(j, "series"),
+          whole(j, "lu"),  whole(j, "newton"),       whole(j, "evaluations")};
 }
 
 Json errors_json(const RowErrors& e) {
@@ -57,7 +57,7 @@ RowTiming timing_from(const Json& j) {
   return {number(j, "minimum_seconds"),
           number(j, "median_seconds"),
           number(j, "mad_seconds"),
-          j.value("repeats", 0),
+          whole<int>(j, "repeats"),
           number(j, "ns_per_step"),
           number(j, "ns_per_simulated_second"),
           text(j, "tier")};
@@ -66,9 +66,7 @@ RowTiming timing_from(const Json& j) {
 Json local_json(const RowLocal& l) {
   return {{"judged", l.judged}, {"deceived", l.deceived}, {"worst", l.worst}};
 }
-RowLocal local_from(const Json& j) {
-  return {j.value("judged", 0L), j.value("deceived", 0L), number(j, "worst")};
-}
+RowLocal local_from(const Json& j) { return {whole(j, "judged"), whole(j, "deceived"), number(j, "worst")}; }
 
 Json events_json(const RowEvents& e) {
   Json j = {{"found", e.found}, {"expected", e.expected}};
@@ -76,7 +74,7 @@ Json events_json(const RowEvents& e) {
   return j;
 }
 RowEvents events_from(const Json& j) {
-  return {j.value("found", 0L), j.value("expected", 0L), maybe<double>(j, "worst_time_error")};
+  return {whole(j, "found"), whole(j, "expected"), maybe<double>(j, "worst_time_error")};
 }
 
 Json steps_json(const RowSteps& s) { return {{"time", s.time}, {"step", s.step}}; }
@@ -89,13 +87,13 @@ Row row_from(const Json& j) {
   r.id = text(j, "id"), r.plan = text(j, "plan");
   r.problem = text(j, "problem"), r.family = text(j, "family"), r.settings = text(j, "settings");
   r.method = text(j, "method"), r.kind = text(j, "kind"), r.provider = text(j, "provider");
-  r.order = j.value("order", 0), r.embedded_order = j.value("embedded_order", 0);
+  r.order = whole<int>(j, "order"), r.embedded_order = whole<int>(j, "embedded_order");
   r.expected_order = maybe<int>(j, "expected_order"), r.expected_because = text(j, "expected_because");
   r.scalar = text(j, "scalar"), r.compensated = j.value("compensated", false);
   r.steps = maybe<long>(j, "steps"), r.dt = maybe<double>(j, "dt");
   r.rtol = maybe<double>(j, "rtol"), r.atol = maybe<double>(j, "atol"), r.filter = text(j, "filter");
   r.status = text(j, "status"), r.reason = text(j, "reason");
-  r.accepted = j.value("accepted", 0L), r.rejected = j.value("rejected", 0L);
+  r.accepted = whole(j, "accepted"), r.rejected = whole(j, "rejected");
   r.t_end = number(j, "t_end"), r.t_reached = number(j, "t_reached");
   if (j.contains("work")) r.work = work_from(j["work"]);
   if (j.contains("errors")) r.errors = errors_from(j["errors"]);
@@ -115,11 +113,11 @@ Row row_from(const Json& j) {
 
 RunHeader header_from(const Json& j) {
   RunHeader h;
-  h.schema = j.at("schema").get<int>();
+  h.schema = whole_from<int>(j.at("schema"), "schema");
   h.suite = text(j, "suite"), h.version = text(j, "version"), h.revision = text(j, "revision"),
   h.date = text(j, "date");
   h.compiler = text(j, "compiler"), h.flags = text(j, "flags"), h.build_type = text(j, "build_type");
-  h.processor = text(j, "processor"), h.system = text(j, "system"), h.cores = j.value("cores", 0);
+  h.processor = text(j, "processor"), h.system = text(j, "system"), h.cores = whole<int>(j, "cores");
   h.providers = j.value("providers", std::map<std::string, std::string>());
   h.footnotes = j.value("footnotes", std::vector<std::string>());
   return h;

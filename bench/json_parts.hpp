@@ -4,7 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "bench/data/stability.hpp"
 
@@ -30,10 +32,28 @@ inline void put(Json& j, const char* key, const std::string& text) {
 
 inline double number(const Json& j, const char* key) { return j.value(key, 0.0); }
 inline std::string text(const Json& j, const char* key) { return j.value(key, std::string()); }
+/// A whole number that T holds. The library would cast whatever is there: 1e99 to an int is undefined.
+template <class T>
+T whole_from(const Json& value, const char* key) {
+  if (value.is_number_unsigned() && std::in_range<T>(value.get<std::uint64_t>())) return value.get<T>();
+  if (value.is_number_integer() && !value.is_number_unsigned() && std::in_range<T>(value.get<std::int64_t>()))
+    return value.get<T>();
+  throw std::invalid_argument(std::string("\"") + key + "\" is not a whole number in range");
+}
+/// 0 where it is missing.
+template <class T = long>
+T whole(const Json& j, const char* key) {
+  const auto found = j.find(key);
+  return found == j.end() ? T(0) : whole_from<T>(*found, key);
+}
 template <class T>
 std::optional<T> maybe(const Json& j, const char* key) {
   const auto found = j.find(key);
-  return found == j.end() || found->is_null() ? std::nullopt : std::optional<T>(found->template get<T>());
+  if (found == j.end() || found->is_null()) return std::nullopt;
+  if constexpr (std::is_integral_v<T>)
+    return whole_from<T>(*found, key);
+  else
+    return found->template get<T>();
 }
 
 /// Throws std::invalid_argument for what is no stability row.

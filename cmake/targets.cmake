@@ -66,7 +66,7 @@ odemark_library(reference SOURCES ${ODEMARK_FAMILY_UNITS} LIGHT ${reference_sour
   ${PROJECT_SOURCE_DIR}/reference/make_wide_family.hpp
   LINK odemark::integrators odemark::problems Boost::headers fmt::fmt nlohmann_json::nlohmann_json)
 
-# Makes and verifies reference/solutions; run from the top of the sources.
+# Makes reference/solutions; run from the top of the sources.
 add_executable(odemark_make_solutions EXCLUDE_FROM_ALL tools/make_solutions.cpp)
 target_link_libraries(odemark_make_solutions PRIVATE odemark::reference odemark_warnings Threads::Threads)
 

@@ -1,10 +1,13 @@
 // Everything in the two catalogues is complete, unique and consistent with what it says of itself.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "reference/truth.hpp"
+#include "reference/verify_solutions.hpp"
 #include "tests/support/runs.hpp"
 
 namespace odemark {
@@ -14,6 +17,11 @@ bool is_snake_case(std::string_view id) {
   return !id.empty() && std::islower(static_cast<unsigned char>(id.front())) &&
          std::all_of(id.begin(), id.end(),
                      [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '_'; });
+}
+
+AnyFamily family_called(std::string_view id) {
+  const auto& all = suite_families();
+  return *std::find_if(all.begin(), all.end(), [&](const AnyFamily& family) { return family.id == id; });
 }
 
 TEST(Catalogue, MethodsAreNamedOnceAndDescribed) {
@@ -102,6 +110,35 @@ TEST(Catalogue, PresetsAreNamedOnceAndSound) {
       }
     }
   }
+}
+
+/// An equation edited after its solution was stored would be compared with nothing.
+TEST(Catalogue, StoredSolutionsBelongToTheirPresets) {
+  for (const auto& id : problem_ids(suite_families())) {
+    const auto problem = find_problem(suite_families(), id);
+    EXPECT_EQ(stored_truth_of(problem) != nullptr, !problem.is_large())
+        << id << ": make it again with odemark_make_solutions";
+  }
+  EXPECT_EQ(stored_truth_of(find_problem(suite_families(), "kepler_e06", "e=0.61")), nullptr);
+}
+
+TEST(Catalogue, VerifyingFindsTheSolutionOfOtherEquations) {
+  AnyFamily kepler = family_called("kepler");
+  kepler.create = [](const Preset& preset, const std::vector<Setting>&) {
+    AnyProblem other = find_problem(suite_families(), preset.id, "mu=1.0625");
+    other.preset = other.id = preset.id;
+    return other;
+  };
+  VerifyRequest request;
+  request.presets = {"kepler_e06"};
+  const auto results = verify_solutions(
+      {kepler}, request, [](const auto&, auto, auto) {}, false);
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_THAT(results[0].fault, testing::HasSubstr("another definition"));
+  EXPECT_EQ(verify_solutions(
+                suite_families(), request, [](const auto&, auto, auto) {}, false)[0]
+                .fault,
+            "");
 }
 
 TEST(Catalogue, EveryBlankHasAReason) {

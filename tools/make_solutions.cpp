@@ -1,5 +1,5 @@
-// Makes or verifies reference/solutions: `odemark_make_solutions [--only PRESET]... [--into DIR] [--verify
-// [--sample N]]`.
+// Makes reference/solutions: `odemark_make_solutions [--only PRESET]... [--into DIR] [-j N]`. What it made,
+// `odemark truth --verify` checks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 #include <fstream>
 #include <iostream>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include "reference/bad_input.hpp"
@@ -24,8 +23,6 @@ using namespace odemark;
 struct Arguments {
   std::vector<std::string> only;
   std::filesystem::path into = "reference/solutions";
-  bool verify = false;
-  std::size_t sample = 16;
   unsigned threads = 2;
 };
 
@@ -48,25 +45,12 @@ Arguments parse(const std::vector<std::string>& words) {
       arguments.only.push_back(value());
     else if (words[i] == "--into")
       arguments.into = value();
-    else if (words[i] == "--verify")
-      arguments.verify = true;
-    else if (words[i] == "--sample")
-      arguments.sample = count_of("--sample", value());
     else if (words[i] == "-j")
       arguments.threads = unsigned(std::min<std::size_t>(count_of("-j", value()), 256));
     else
-      throw BadInput("unknown option " + words[i] +
-                     ": there are --only PRESET, --into DIR, --verify, --sample N and -j N");
+      throw BadInput("unknown option " + words[i] + ": there are --only PRESET, --into DIR and -j N");
   }
   return arguments;
-}
-
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("there is no " + path.string());
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
@@ -107,12 +91,6 @@ std::string treat(const AnyProblem& problem, const Arguments& arguments) {
   if (problem.is_large()) return "large: not stored, its closed form is computed where it is needed";
   const auto path = arguments.into / (problem.preset + ".json");
   const std::string definition = fingerprint(problem, widened(problem, false));
-  if (arguments.verify) {
-    const Truth stored = from_json(problem, read_file(path), definition);
-    if (const auto fault = verify(problem, stored, arguments.sample); !fault.empty())
-      throw std::runtime_error(fault);
-    return fmt::format("{} digits hold", stored.digits);
-  }
   const Truth truth = best_truth(problem);
   write_file(path, to_json(truth, problem.preset, definition));
   return fmt::format("{} digits, {}, checked by {}, {:.2g} s", truth.digits, truth.origin, truth.checked_by,
@@ -123,7 +101,7 @@ int work(const Arguments& arguments) {
   std::vector<AnyProblem> problems;
   for (const auto& id : arguments.only.empty() ? problem_ids(suite_families()) : arguments.only)
     problems.push_back(find_problem(suite_families(), id));
-  if (!arguments.verify) std::filesystem::create_directories(arguments.into);
+  std::filesystem::create_directories(arguments.into);
   std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
   int failures = 0;

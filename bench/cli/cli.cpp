@@ -8,6 +8,7 @@
 
 #include "bench/cli/commands.hpp"
 #include "bench/cli/files.hpp"
+#include "bench/cli/truth_options.hpp"
 #include "bench/json_line.hpp"
 #include "bench/machine.hpp"
 #include "reference/bad_input.hpp"
@@ -194,20 +195,14 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   add_format(stability_app, stability.format, {"table", "json", "markdown", "csv"});
   add_common(stability_app, stability);
 
-  TruthRequest truth;
+  TruthCommandOptions truth;
+  std::vector<std::string> truth_presets;
   std::string truth_t, truth_format = "text";
   auto& truth_app =
       *app.add_subcommand("truth", "the solution to many digits, by two independent computations");
-  truth_app.add_option("problem", truth.problem, "preset or family")->required()->option_text("PROBLEM");
-  truth_app.add_option("--set", truth.settings, "parameters, like k=6e5,m=168")->option_text("SETTINGS");
-  truth_app.add_option("--t", truth_t, "time; default: the problem's t_end")->option_text("T");
-  truth_app.add_option("--digits", truth.digits, "digits asked for")->option_text("N");
-  truth_app.add_flag("--exact-inputs", truth.exact_inputs,
-                     "decimals at full value instead of rounded to double");
-  truth_app.add_option("--time-limit", truth.time_limit_seconds, "seconds")
-      ->check(CLI::PositiveNumber)
-      ->option_text("S");
+  add_truth_options(truth_app, truth, truth_presets, truth_t);
   add_format(truth_app, truth_format, {"text", "json"});
+  add_common(truth_app, truth);
 
   app.add_subcommand("bench", "cost per step by Google Benchmark; every --benchmark_* flag works");
   DoctorOptions doctor;
@@ -231,8 +226,9 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       if (!(stability.dt > 0))
         throw BadInput(fmt::format("--dt {} is no step: it must be above 0", stability_dt));
     }
-    if (!truth_t.empty()) truth.t = truth_t;
-    truth.json = truth_format == "json";
+    if (!truth_t.empty()) truth.request.t = truth_t;
+    truth.request.json = truth_format == "json";
+    if (app.got_subcommand("truth")) settle_truth(truth, truth_presets);
     signal(SIGINT, on_interrupt);
     signal(SIGTERM, on_interrupt);
     if (app.got_subcommand("run")) return run_command(registry, run, interrupted);
@@ -243,7 +239,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
     if (app.got_subcommand("list")) return list_command(registry, list);
     if (app.got_subcommand("methods")) return methods_command(registry, methods);
     if (app.got_subcommand("stability")) return stability_command(registry, stability);
-    if (app.got_subcommand("truth")) return truth_command(registry, truth);
+    if (app.got_subcommand("truth")) return truth_command(registry, truth, interrupted);
     if (app.got_subcommand("doctor")) return doctor_command(doctor);
     return exit_usage;
   } catch (const CLI::ParseError& e) {

@@ -7,6 +7,7 @@
 
 #include "bench/plan.hpp"
 #include "reference/truth_report.hpp"
+#include "reference/verify_solutions.hpp"
 
 namespace odemark {
 
@@ -72,6 +73,12 @@ struct StabilityCommandOptions : CommonOptions {
   int jobs = 1;
 };
 
+struct TruthCommandOptions : CommonOptions {
+  TruthRequest request;
+  bool verify = false;  // the stored ones, instead of one solution
+  VerifyRequest stored;
+};
+
 struct DoctorOptions {
   std::string format = "text";
 };
@@ -84,7 +91,7 @@ int compare_command(const CompareCommandOptions&);
 int list_command(const Registry&, const ListOptions&);
 int methods_command(const Registry&, const MethodsCommandOptions&);
 int stability_command(const Registry&, const StabilityCommandOptions&);
-int truth_command(const Registry&, const TruthRequest&);
+int truth_command(const Registry&, const TruthCommandOptions&, const std::atomic<bool>& stop);
 int bench_command(const std::vector<std::string>& arguments);
 int doctor_command(const DoctorOptions&);
 
