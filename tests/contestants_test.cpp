@@ -237,7 +237,7 @@ TEST(contestants, counters_are_the_solvers_own) {
   using namespace contestant;
   const Erased system = driven();
   SundialsContext context;
-  SundialsProblem problem{Callee(system)};
+  SundialsProblem problem(system);
   std::vector<double> start{0, 1}, absolute{1e-6, 1e-6};
   const auto y = context.view(start), tolerances = context.view(absolute);
   void* cvode = CVodeCreate(CV_BDF, context);
