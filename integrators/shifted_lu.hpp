@@ -72,12 +72,12 @@ template <class Scalar, class Size>
 template <class Real>
 [[gnu::always_inline]] inline bool lu_is_positive(const Real* reciprocal, const std::size_t* row,
                                                   std::size_t size) {
-  bool positive = true;
+  bool is_positive = true;
   for (std::size_t k = 0; k < size; ++k) {
-    positive = positive != (row[k] != k);
-    positive = positive != (reciprocal[k] < 0);
+    is_positive = is_positive != (row[k] != k);
+    is_positive = is_positive != (reciprocal[k] < 0);
   }
-  return positive;
+  return is_positive;
 }
 /// Column-major `out` = shift I - jacobian.
 template <class Real, class Scalar, class Size>
