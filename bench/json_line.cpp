@@ -33,15 +33,15 @@ Json errors_json(const RowErrors& e) {
   put(j, "scaled", e.scaled), put(j, "absolute", e.absolute), put(j, "relative", e.relative),
       put(j, "rms", e.rms);
   put(j, "trajectory_max", e.trajectory_max), put(j, "trajectory_rms", e.trajectory_rms);
-  put(j, "amplitude", e.amplitude), put(j, "phase", e.phase);
+  put(j, "amplitude", e.amplitude), put(j, "phase", e.phase), put(j, "left", e.left);
   return j;
 }
 RowErrors errors_from(const Json& j) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();  // written as absent: never a good value
-  return {j.value("scaled", nothing),         j.value("absolute", nothing),
-          maybe<double>(j, "relative"),       j.value("rms", nothing),
-          maybe<double>(j, "trajectory_max"), maybe<double>(j, "trajectory_rms"),
-          maybe<double>(j, "amplitude"),      maybe<double>(j, "phase")};
+  return {
+      j.value("scaled", nothing),    j.value("absolute", nothing),       maybe<double>(j, "relative"),
+      j.value("rms", nothing),       maybe<double>(j, "trajectory_max"), maybe<double>(j, "trajectory_rms"),
+      maybe<double>(j, "amplitude"), maybe<double>(j, "phase"),          maybe<double>(j, "left")};
 }
 
 Json timing_json(const RowTiming& t) {

@@ -16,6 +16,7 @@ RowErrors errors_at_end(const AnyProblem& problem, const Truth& truth, const std
   const auto& values = truth.last().values;
   double squares = 0;
   bool has_relative = true;
+  double left = 0;
   double relative = 0;
   for (std::size_t p = 0; p < values.size(); ++p) {
     const std::size_t i = truth.places.empty() ? p : truth.places[p];
@@ -25,6 +26,7 @@ RowErrors errors_at_end(const AnyProblem& problem, const Truth& truth, const std
     errors.scaled = worse_of(errors.scaled, scaled);
     squares += scaled * scaled;
     const long double size = std::abs(values[p].hi);
+    left = worse_of(left, double(size / static_cast<long double>(problem.scale[i])));
     if (size > 0)
       relative = worse_of(relative, double(gap / size));
     else
@@ -32,6 +34,7 @@ RowErrors errors_at_end(const AnyProblem& problem, const Truth& truth, const std
   }
   errors.rms = std::sqrt(squares / double(values.size()));
   if (has_relative) errors.relative = relative;
+  if (left < next_to_nothing) errors.left = left;
   return errors;
 }
 

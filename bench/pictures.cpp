@@ -32,7 +32,7 @@ MethodCard card_of(const AnyMethod& m) {
 ProblemCard card_of(const AnyProblem& p) {
   ProblemCard card;
   card.id = p.id, card.family = std::string(p.family), card.title = std::string(p.title);
-  card.equations = std::string(p.equations), card.about = std::string(p.about);
+  card.equations = std::string(p.equations), card.about = p.customised ? "" : std::string(p.about);
   card.source = std::string(p.source);
   for (const auto& parameter : p.parameters)
     if (!parameter.shorthand)
@@ -56,7 +56,17 @@ AnyProblem problem_of(const Registry& registry, const Row& row) {
   return find_problem(registry.families, row.problem.substr(0, row.problem.find('{')), row.settings);
 }
 
-void add_problem(Pictures& pictures, const Registry& registry, const Row& row, bool certified) {
+/// Somebody's own problem is drawn at the coarsest of somebody's own steps.
+long steps_to_draw(const std::vector<Row>& rows, const Row& row) {
+  if (row.settings.empty()) return coarse_steps;
+  constexpr long most = 20'000;
+  std::optional<long> fewest;
+  for (const Row& other : rows)
+    if (other.problem == row.problem && other.steps) fewest = std::min(fewest.value_or(most), *other.steps);
+  return std::clamp(fewest.value_or(coarse_steps), coarse_steps, most);
+}
+
+void add_problem(Pictures& pictures, const Registry& registry, const Row& row, bool certified, long steps) {
   AnyProblem problem;
   try {
     problem = problem_of(registry, row);
@@ -72,7 +82,7 @@ void add_problem(Pictures& pictures, const Registry& registry, const Row& row, b
   }
   pictures.problems.push_back(std::move(card));
   // a picture needs all of a solution on its way, and shows one of its components
-  if (!problem.is_large()) pictures.scenes.push_back(make_scene(registry, problem, certified));
+  if (!problem.is_large()) pictures.scenes.push_back(make_scene(registry, problem, certified, steps));
 }
 
 struct WantedRegions {
@@ -112,7 +122,7 @@ Pictures make_pictures(const Registry& registry, const std::vector<Row>& rows) {
     if (row.errors) with_errors.insert(row.problem);
   for (const Row& row : rows)
     if (seen.insert(row.problem).second)
-      add_problem(pictures, registry, row, with_errors.contains(row.problem));
+      add_problem(pictures, registry, row, with_errors.contains(row.problem), steps_to_draw(rows, row));
   pictures.regions = make_regions(registry);
   add_damping(pictures, registry);
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.local.has_value(); }))

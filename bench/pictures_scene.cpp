@@ -17,8 +17,7 @@ namespace odemark {
 namespace {
 
 constexpr std::size_t exact_points = 128;  // multiples of 16 and of coarse_steps: the times are shared
-constexpr std::size_t coarse_steps = 64;
-constexpr double visible = 1e-3;  // of the scale: a line of a picture is thicker
+constexpr double visible = 1e-3;           // of the scale: a line of a picture is thicker
 constexpr long most_steps = 2'000'000;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -144,21 +143,21 @@ void add_exact(Scene& scene, const Registry& registry, const AnyProblem& problem
 
 }  // namespace
 
-Scene make_scene(const Registry& registry, const AnyProblem& problem, bool certified) {
+Scene make_scene(const Registry& registry, const AnyProblem& problem, bool certified, long steps) {
   Scene scene;
   scene.problem = problem.id;
   const auto [x, y] = components_to_draw(problem);
   if (x) scene.x = std::string(problem.components[*x].name);
   scene.y = std::string(problem.components[y].name);
   if (certified) add_exact(scene, registry, problem, *truth_of(problem), x, y);
-  const double dt = problem.t_end / static_cast<double>(coarse_steps);
+  const double dt = problem.t_end / static_cast<double>(steps);
   for (const std::string_view id : {"explicit_euler", "semi_implicit_euler", "rk4", "implicit_euler"}) {
     const auto method = std::find_if(registry.methods.begin(), registry.methods.end(),
                                      [&](const AnyMethod& m) { return m.id == id; });
     if (method == registry.methods.end() || !can_run(*method, problem, true)) continue;
-    Seen seen = solve(*method, problem, FixedSteps{coarse_steps}, {});
+    Seen seen = solve(*method, problem, FixedSteps{steps}, {});
     for (std::size_t i = 0; i < seen.t.size(); ++i)
-      seen.t[i] = static_cast<double>(i) * problem.t_end / static_cast<double>(coarse_steps);
+      seen.t[i] = static_cast<double>(i) * problem.t_end / static_cast<double>(steps);
     Scene::Run run{std::string(id), std::string(to_string(seen.status)), dt,
                    curve(problem, seen, y, std::string(id), dt), std::nullopt};
     if (x) run.x = curve(problem, seen, *x, std::string(id), dt);

@@ -245,6 +245,10 @@ std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& o
   std::erase_if(plan, [&](const PlannedRun& p) {
     return !ids.insert(row_id(*p.method, *p.problem, p.request, p.plan)).second;
   });
+  if (plan.empty())
+    throw BadInput(options.tolerances.empty()
+                       ? "nothing to run: these methods choose their own steps; give --tol instead of --dt"
+                       : "nothing to run: these methods have no error control; give --dt instead of --tol");
   return plan;
 }
 

@@ -145,12 +145,12 @@ ProblemSheet problem_sheet(const Registry& registry, const AnyFamily& family, bo
   return sheet;
 }
 
-std::vector<ProblemSheet> problem_sheets(const Registry& registry,
+std::vector<ProblemSheet> problem_sheets(const Registry& registry, const std::vector<AnyFamily>& families,
                                          const std::function<void(std::size_t, std::size_t)>& progress) {
   std::vector<ProblemSheet> sheets;
-  for (const auto& family : registry.families) {
+  for (const auto& family : families) {
     sheets.push_back(problem_sheet(registry, family, true));
-    if (progress) progress(sheets.size(), registry.families.size());
+    if (progress) progress(sheets.size(), families.size());
   }
   return sheets;
 }

@@ -14,8 +14,9 @@ std::string range_text(const Range& range);
 /// One family. Truths that are not stored are computed, which takes its time. `with_scene` draws.
 ProblemSheet problem_sheet(const Registry& registry, const AnyFamily& family, bool with_scene);
 
-/// Every family of the registry. `progress` is told after each.
+/// Of these families; methods that draw are taken from the registry. `progress` is told after each.
 std::vector<ProblemSheet> problem_sheets(
-    const Registry& registry, const std::function<void(std::size_t done, std::size_t total)>& progress = {});
+    const Registry& registry, const std::vector<AnyFamily>& families,
+    const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 
 }  // namespace odemark

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "reference/bad_input.hpp"
 #include "reference/contestants.hpp"
 
@@ -33,6 +35,18 @@ Registry suite_registry() {
   Registry registry{suite_methods(), suite_families()};
   for (auto& contestant : contestants()) registry.methods.push_back(std::move(contestant));
   return registry;
+}
+
+void require_unique_names(const Registry& registry) {
+  std::set<std::string, std::less<>> ids;
+  for (const auto& method : registry.methods)
+    if (!ids.emplace(method.id).second)
+      throw BadInput(
+          fmt::format("two methods are called {}: the suite has one, call yours otherwise", method.id));
+  ids.clear();
+  for (const auto& id : problem_ids(registry.families))
+    if (!ids.emplace(id).second)
+      throw BadInput(fmt::format("two problems are called {}: the suite has one, call yours otherwise", id));
 }
 
 const AnyMethod& find_method(const Registry& registry, std::string_view id) {

@@ -18,6 +18,9 @@ struct Registry {
 Registry suite_registry();
 
 /// Throws BadInput with the nearest name.
+/// Throws BadInput where two methods or two presets have one id: no row could be told from another.
+void require_unique_names(const Registry& registry);
+
 const AnyMethod& find_method(const Registry& registry, std::string_view id);
 
 /// "rk4,heun", or with wildcards "taylor*,sdirk?"; each pattern must match something (BadInput otherwise).

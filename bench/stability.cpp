@@ -146,26 +146,45 @@ StabilityRow measure_stability(const AnyMethod& method, const AnyProblem& proble
   throw std::invalid_argument("stability is measured in \"double\" or \"float\", not in \"" + scalar + "\"");
 }
 
+std::vector<AnyProblem> linear_problems(const std::vector<AnyProblem>& problems) {
+  std::vector<AnyProblem> linear;
+  std::set<std::string> seen;
+  for (const auto& problem : problems)
+    if (problem.homogeneous && !problem.is_large() && seen.insert(problem.id).second)
+      linear.push_back(problem);
+  return linear;
+}
+
 std::vector<StabilityRow> measure_stability(const std::vector<AnyMethod>& methods,
                                             const std::vector<AnyProblem>& problems,
                                             const StabilityOptions& options) {
-  std::vector<StabilityRow> rows(methods.size() * problems.size());
+  struct Pair {
+    const AnyMethod* method;
+    const AnyProblem* problem;
+  };
+  std::vector<Pair> wanted;
+  for (const auto& problem : problems)
+    for (const auto& method : methods)
+      if (!options.done.contains(problem.id + "/" + std::string(method.id)))
+        wanted.push_back({&method, &problem});
+  const std::size_t total = methods.size() * problems.size(), before = total - wanted.size();
+  std::vector<std::optional<StabilityRow>> rows(wanted.size());
   std::atomic<std::size_t> next{0};
-  std::size_t done = 0;
+  std::size_t handed_over = 0;
   std::exception_ptr error;
   std::mutex mutex;
   const auto work = [&] {
-    for (std::size_t i = next++; i < rows.size(); i = next++) {
+    for (std::size_t i; !(options.stop && options.stop->load()) && (i = next++) < wanted.size();) {
       try {
-        rows[i] =
-            measure_stability(methods[i % methods.size()], problems[i / methods.size()], options.scalar);
+        StabilityRow row = measure_stability(*wanted[i].method, *wanted[i].problem, options.scalar);
         const std::lock_guard lock(mutex);
-        ++done;
-        if (options.progress) options.progress(done, rows.size(), rows[i]);
+        rows[i] = std::move(row);
+        for (; handed_over < rows.size() && rows[handed_over]; ++handed_over)
+          if (options.progress) options.progress(before + handed_over + 1, total, *rows[handed_over]);
       } catch (...) {
         const std::lock_guard lock(mutex);
         error = std::current_exception();
-        next = rows.size();
+        next = wanted.size();
       }
     }
   };
@@ -174,7 +193,9 @@ std::vector<StabilityRow> measure_stability(const std::vector<AnyMethod>& method
   work();
   for (auto& thread : threads) thread.join();
   if (error) std::rethrow_exception(error);
-  return rows;
+  std::vector<StabilityRow> measured;
+  for (std::size_t i = 0; i < handed_over; ++i) measured.push_back(std::move(*rows[i]));
+  return measured;
 }
 
 }  // namespace odemark

@@ -2,8 +2,10 @@
 // dt?".
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "bench/data/stability.hpp"
@@ -19,12 +21,18 @@ LinearProblem linear_problem(const AnyProblem& problem);
 struct StabilityOptions {
   unsigned jobs = 1;
   std::string scalar = "double";  // or "float"
-  /// Called after every row, one call at a time.
+  /// Called with every row in their order, one call at a time: what is handed over survives an interruption.
   std::function<void(std::size_t done, std::size_t total, const StabilityRow&)> progress;
+  /// Pairs measured before, as "problem/method": left out.
+  std::set<std::string> done = {};
+  const std::atomic<bool>* stop = nullptr;  // leaves out the rest
 };
 
 /// The oscillator, damped springs of five damping ratios, every stiff spring, the ship.
 std::vector<AnyProblem> default_stability_problems();
+
+/// Of these, the linear ones: each once. Not the large ones, whose matrices have too many entries.
+std::vector<AnyProblem> linear_problems(const std::vector<AnyProblem>& problems);
 
 /// A row for every pair, problem by problem, methods in their order; where there is nothing to measure, a
 /// blank row with the reason.

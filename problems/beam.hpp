@@ -71,7 +71,9 @@ struct Beam {
                       P{"t_end", "s", "end of the interval; the force ends at pi", &Beam::t_end,
                         Range{.lowest = 0, .highest = 3.140625, .open_below = true}}};
   }
-  static constexpr std::array presets{Preset{"beam_short", "t_end=0.5", "while the force grows"}};
+  static constexpr std::array presets{
+      Preset{"beam", "", "the force comes and goes; frequencies up to 250 /s hardly move"},
+      Preset{"beam_short", "t_end=0.5", "while the force grows"}};
 
   std::array<double, size> scale() const {
     std::array<double, size> one;

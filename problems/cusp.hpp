@@ -31,7 +31,10 @@ struct Cusp {
                       P{"t_end", "", "end of the interval", &Cusp::t_end, positive}};
   }
   static constexpr std::array presets{
-      Preset{"cusp_mild", "eps=0.015625,t_end=1", "the jumps are rounded: hardly stiff"}};
+      Preset{"cusp", "eps=0.0009765625,t_end=1", "a tenth as stiff as in the book, and nearly as long"},
+      Preset{"cusp_mild", "eps=0.015625,t_end=1", "the jumps are rounded: hardly stiff"},
+      Preset{"cusp_stiff", "eps=1e-4,t_end=0.125",
+             "as in the book but for the end and the number of places"}};
 
   std::array<double, size> scale() const {
     std::array<double, size> out{};

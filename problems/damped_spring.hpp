@@ -41,8 +41,12 @@ struct DampedSpring {
       Preset{"damped_spring_critical", "zeta=1", "critically damped"},
       Preset{"damped_spring_overdamped", "zeta=2", "over-damped: two real rates, 14 to 1"}};
 
-  std::array<double, size> scale() const { return {1, 1}; }
-  double suggested_dt() const { return 0.05; }
+  /// Of the first swing.
+  std::array<double, size> scale() const {
+    const double w = std::sqrt(double(k) / double(m)), a = std::hypot(double(x0), double(v0) / w);
+    return {a > 0 ? a : 1, a > 0 ? a * w : w};
+  }
+  double suggested_dt() const { return 0.05 / std::sqrt(double(k) / double(m)); }
 
   template <class T>
   void initial(T* y) const {

@@ -28,7 +28,9 @@ struct Lorenz96 {
                       P{"t_end", "", "end of the interval", &Lorenz96::t_end, positive}};
   }
   static constexpr std::array presets{
-      Preset{"lorenz96", "", "the nudge grows into waves: ten days of weather"}};
+      Preset{"lorenz96", "", "the nudge grows into waves: ten days of weather"},
+      Preset{"lorenz96_developed", "nudge=1,t_end=8",
+             "turbulent all round; double precision keeps ten digits"}};
 
   std::array<double, size> scale() const {
     std::array<double, size> out{};

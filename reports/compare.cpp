@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "reports/format.hpp"
-#include "reports/numbers.hpp"
 #include "reports/observed_order.hpp"
+#include "reports/shown_error.hpp"
 #include "reports/verdict.hpp"
 
 namespace odemark {
@@ -42,8 +42,6 @@ bool is_shown(Fate fate, CompareFilter filter) {
   return true;
 }
 
-double error_of_row(const Row& row) { return row.errors ? row.errors->scaled : absent; }
-
 Status colour(Change change) {
   if (change == Change::worse) return Status::fail;
   return change == Change::better ? Status::ok : Status::plain;
@@ -65,7 +63,7 @@ Compared compare_runs(const Row& before, const Row& now, const CompareOptions& o
       std::max({options.floor * std::max(1.0, unit_roundoff(now.scalar) / unit_roundoff("double")),
                 now.truth_floor, now.sensitivity});
   const Change status = judge_status(now.status, before.status);
-  const Change error = judge_change(error_of_row(now), error_of_row(before), options.error_factor, floor);
+  const Change error = judge_change(shown_error(now), shown_error(before), options.error_factor, floor);
   const auto work_before = static_cast<double>(before.work.evaluations);
   const auto work_now = static_cast<double>(now.work.evaluations);
   const bool both_ended = now.status == "reached_end" && before.status == "reached_end";
@@ -87,15 +85,15 @@ Compared compare_runs(const Row& before, const Row& now, const CompareOptions& o
   else if (before.status != now.status || before.state_hash != now.state_hash || work_before != work_now)
     result.fate = Fate::changed;
 
-  const double ratio = error_of_row(now) / error_of_row(before);
+  const double ratio = shown_error(now) / shown_error(before);
   const std::string status_text =
       before.status == now.status ? now.status : fmt::format("{} → {}", before.status, now.status);
   const std::string time_text = time == Change::same && std::isfinite(time_ratio)
                                     ? "~"
                                     : fmt::format("{}x", significant(time_ratio, 3));
   result.cells = {{status_text, colour(status)},
-                  number_cell(error_of_row(before), scientific(error_of_row(before), 3)),
-                  number_cell(error_of_row(now), scientific(error_of_row(now), 3)),
+                  number_cell(shown_error(before), scientific(shown_error(before), 3)),
+                  number_cell(shown_error(now), scientific(shown_error(now), 3)),
                   change_cell(ratio, fmt::format("{}x", significant(ratio, 3)), error),
                   change_cell(work_now - work_before, fmt::format("{:+.0f}", work_now - work_before), work),
                   change_cell(time_ratio, time_text, time)};

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "reports/format.hpp"
-#include "reports/numbers.hpp"
+#include "reports/shown_error.hpp"
 #include "reports/work_curves.hpp"
 
 namespace odemark {
@@ -81,7 +81,7 @@ Table drift_table(const std::vector<Row>& rows, const std::string& problem, doub
   for (const Row* row : chosen) {
     std::vector<Cell> line{{row->method}, {std::to_string(row->order), Status::plain, row->order}};
     for (const auto& name : names) line.push_back(drift_cell(*row, name));
-    const double error = row->errors ? row->errors->scaled : absent;
+    const double error = shown_error(*row);
     line.push_back(number_cell(rounded(error, 3), scientific(error, 2)));
     table.rows.push_back(std::move(line));
   }

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "reports/format.hpp"
+#include "reports/shown_error.hpp"
 
 namespace odemark {
 namespace {
@@ -19,10 +20,7 @@ bool is_usable(const Rung& rung, const OrderOptions& options) {
   return rung.error >= options.floor_factor * rung.floor && rung.error <= options.largest_error;
 }
 
-double error_at_end(const Row& row) {
-  return row.status == "reached_end" && row.errors ? row.errors->scaled
-                                                   : std::numeric_limits<double>::quiet_NaN();
-}
+double error_of_run(const Row& row) { return row.status == "reached_end" ? shown_error(row) : absent; }
 
 void add_rungs(ObservedOrder& order, const std::vector<Row>& curve, const OrderOptions& options) {
   std::map<double, const Row*, std::greater<>> by_dt;
@@ -30,7 +28,7 @@ void add_rungs(ObservedOrder& order, const std::vector<Row>& curve, const OrderO
     if (row.steps && row.dt && *row.dt > 0 && std::isfinite(*row.dt) && row.status != "not_applicable")
       by_dt.emplace(*row.dt, &row);
   for (const auto& [dt, row] : by_dt) {
-    const double error = error_at_end(*row);
+    const double error = error_of_run(*row);
     if (!std::isfinite(error) || error < 0) {
       ++order.gaps;
       continue;

@@ -25,7 +25,7 @@ std::string subtitle(const RunHeader& h) {
 std::vector<Badge> badges(const ReportData& data) {
   std::vector<Badge> out;
   const OrderCounts orders = count_orders(data.orders);
-  out.push_back({fmt::format("{} order claims hold", orders.holds), Status::ok});
+  if (orders.holds) out.push_back({fmt::format("{} order claims hold", orders.holds), Status::ok});
   if (orders.fails) out.push_back({fmt::format("{} fail", orders.fails), Status::fail});
   if (orders.exceeds) out.push_back({fmt::format("{} exceed", orders.exceeds), Status::note});
   if (orders.inconclusive) out.push_back({fmt::format("{} inconclusive", orders.inconclusive)});
@@ -69,12 +69,15 @@ Verdict report_verdict(const ReportData& data) {
     parts.push_back(
         fmt::format("{} of {} stability limits", stability.differs, stability.agrees + stability.differs));
   Verdict verdict;
-  verdict.status = disagreements ? Status::warn : Status::ok;
-  verdict.text = disagreements ? fmt::format("{} {} not hold; whatever else could be measured is as claimed",
-                                             fmt::join(parts, " and "), disagreements == 1 ? "does" : "do")
-                               : std::string(
-                                     "Every order and stability limit that could be measured is as "
-                                     "claimed");
+  const int judged = orders.holds + orders.exceeds + stability.agrees;
+  verdict.status = disagreements ? Status::warn : judged ? Status::ok : Status::plain;
+  verdict.text = !disagreements && !judged ? std::string("No order and no stability limit was measured here")
+                 : disagreements
+                     ? fmt::format("{} {} not hold; whatever else could be measured is as claimed",
+                                   fmt::join(parts, " and "), disagreements == 1 ? "does" : "do")
+                     : std::string(
+                           "Every order and stability limit that could be measured is as "
+                           "claimed");
   const Table failing = failed_orders(data.orders, data.input.pictures.methods);
   const auto noted = std::count_if(failing.rows.begin(), failing.rows.end(),
                                    [](const auto& row) { return !row.back().text.empty(); });

@@ -13,6 +13,7 @@
 #include "reports/precision.hpp"
 #include "reports/report_page.hpp"
 #include "reports/settling.hpp"
+#include "reports/shown_error.hpp"
 #include "reports/speed_ratio.hpp"
 #include "reports/step_sizes.hpp"
 #include "reports/tolerance.hpp"
@@ -89,6 +90,18 @@ std::string tier_note(const ProblemCurves& problem) {
   return "";
 }
 
+/// "cvode_adams, cvode_bdf: what is the matter": is one of them here? What names nobody concerns all.
+bool concerns(const std::string& footnote, const std::set<std::string>& methods) {
+  const std::size_t colon = footnote.find(':');
+  if (colon == footnote.npos) return true;
+  for (std::size_t at = 0; at < colon;) {
+    const std::size_t end = std::min(footnote.find(',', at), colon);
+    if (methods.contains(footnote.substr(at, end - at))) return true;
+    at = footnote.find_first_not_of(' ', end + 1);
+  }
+  return false;
+}
+
 }  // namespace
 
 Section overview_section(const ReportData& data) {
@@ -96,8 +109,10 @@ Section overview_section(const ReportData& data) {
   if (data.problems.empty()) return section;
   add_answer(section, winners_sentence(data, 1e-6, Cost::evaluations, "Fewest evaluations"));
   add_answer(section, winners_sentence(data, 1e-6, Cost::time, "Least time"));
+  std::set<std::string> present;
+  for (const Row& row : data.input.rows) present.insert(row.method);
   for (const auto& footnote : data.input.header.footnotes)
-    section.blocks.push_back(Paragraph{footnote, Status::warn});
+    if (concerns(footnote, present)) section.blocks.push_back(Paragraph{footnote, Status::warn});
   section.blocks.push_back(overview(data.problems));
   return section;
 }
@@ -125,6 +140,12 @@ Section problem_section(const ReportData& data, const ProblemCurves& problem, bo
   if (card)
     add_answer(section, fmt::format("{}{}{}. Simulated for {} s.", card->title,
                                     card->about.empty() ? "" : ": ", card->about, compact(card->t_end, 4)));
+  if (std::any_of(data.rows.begin(), data.rows.end(),
+                  [&](const Row& row) { return row.problem == problem.problem && dies_before_the_end(row); }))
+    add_answer(
+        section,
+        "Next to nothing of the motion is left at the end, and any error is small there: errors are the "
+        "largest at the common times instead. An end while it still moves (--set t_end=...) says more.");
   section.blocks.push_back(problem_facts(card, problem.problem, linked));
   if (!with_charts) return section;
   const auto add_chart = [&](Chart chart) {

@@ -11,6 +11,7 @@
 
 #include "reports/format.hpp"
 #include "reports/observed_order.hpp"
+#include "reports/shown_error.hpp"
 
 namespace odemark {
 namespace {
@@ -78,7 +79,7 @@ std::vector<Calibration> calibrations(const std::vector<Row>& rows) {
       code.judged += row.local->judged, code.deceived += row.local->deceived;
       code.worst_deception = std::max(code.worst_deception, row.local->worst);
     }
-    if (row.errors) code.points.push_back({*row.rtol, row.errors->scaled});
+    if (row.errors) code.points.push_back({*row.rtol, shown_error(row)});
   }
   for (std::size_t i = 0; i < codes.size(); ++i) {
     auto& points = codes[i].points;

@@ -14,6 +14,7 @@
 #include "reports/cheapest.hpp"
 #include "reports/numbers.hpp"
 #include "reports/observed_order.hpp"
+#include "reports/shown_error.hpp"
 
 namespace odemark {
 namespace {
@@ -30,7 +31,7 @@ CurvePoint point_of(const Row& row) {
   CurvePoint p;
   p.control = row.rtol ? *row.rtol : row.dt.value_or(nan);
   p.failed = row.status != "reached_end";
-  p.error = !p.failed && row.errors ? row.errors->scaled : nan;
+  p.error = p.failed ? nan : shown_error(row);
   p.evaluations = static_cast<double>(row.work.evaluations);
   p.time = row.timing ? row.timing->ns_per_simulated_second : nan;
   p.floor = floor_of(row);

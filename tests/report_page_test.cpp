@@ -36,6 +36,31 @@ TEST(ReportPage, NamesEveryProblemMethodStatusAndFootnote) {
   EXPECT_EQ(html.find("nan"), std::string::npos);
 }
 
+TEST(ReportPage, FootnotesAreOfWhoIsThere) {
+  ReportInput input = small_report();
+  input.header.footnotes = {"cvode_bdf, rk4: half of them is here", "cvode_bdf, cvode_adams: nobody is here"};
+  const std::string html = to_html(report_page(input));
+  const auto count = [&](std::string_view words) {
+    int found = 0;
+    for (auto at = html.find(words); at != html.npos; at = html.find(words, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("half of them is here"), 2);  // at the top and where it says how it was measured
+  EXPECT_EQ(count("nobody is here"), 1);
+}
+
+/// A motion that has died before the end makes any method look exact there.
+TEST(ReportPage, ErrorsOfADyingMotionAreThoseOverTheWholeTime) {
+  ReportInput input = small_report();
+  for (Row& row : input.rows)
+    if (row.errors) row.errors->scaled = 1e-25, row.errors->left = 1e-24, row.errors->trajectory_max = 0.25;
+  const std::string html = to_html(report_page(input));
+  EXPECT_NE(html.find("Next to nothing of the motion is left"), std::string::npos);
+  EXPECT_EQ(html.find("25.0 |"), std::string::npos);
+  EXPECT_NE(html.find("0.6 |"), std::string::npos);
+  EXPECT_EQ(to_html(report_page(small_report())).find("Next to nothing"), std::string::npos);
+}
+
 TEST(ReportPage, IsDeterministic) {
   const ReportInput input = small_report();
   EXPECT_EQ(to_html(report_page(input)), to_html(report_page(input)));

@@ -34,7 +34,7 @@ Row full_row() {
   r.status = "reached_end", r.reason = "a \"quoted\"\nreason", r.accepted = 16, r.rejected = 2;
   r.t_end = 10, r.t_reached = 10;
   r.work = {64, 1, 2, 3, 4, 5, 65};
-  r.errors = RowErrors{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, -0.7, 0.8};
+  r.errors = RowErrors{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, -0.7, 0.8, 0.0009};
   r.truth_floor = 1e-25, r.sensitivity = 1e-15, r.truth_digits = 25;
   r.drift = {{"energy", 1e-3}, {"angular_momentum", 0}};
   r.events = RowEvents{3, 4, 0.0625};
@@ -95,7 +95,7 @@ TEST(Rows, KeysAreStable) {
       R"("filter":"pi","status":"reached_end","reason":"a \"quoted\"\nreason","accepted":16,"rejected":2,)"
       R"("t_end":10.0,"t_reached":10.0,"work":{"rhs":64,"acceleration":1,"jacobian":2,"series":3,"lu":4,)"
       R"("newton":5,"evaluations":65},"errors":{"scaled":0.1,"absolute":0.2,"relative":0.3,"rms":0.4,)"
-      R"("trajectory_max":0.5,"trajectory_rms":0.6,"amplitude":-0.7,"phase":0.8},"truth_floor":1e-25,)"
+      R"("trajectory_max":0.5,"trajectory_rms":0.6,"amplitude":-0.7,"phase":0.8,"left":0.0009},"truth_floor":1e-25,)"
       R"("sensitivity":1e-15,"truth_digits":25.0,"drift":{"angular_momentum":0.0,"energy":0.001},)"
       R"("events":{"found":3,"expected":4,"worst_time_error":0.0625},)"
       R"("timing":{"minimum_seconds":1e-06,"median_seconds":2e-06,"mad_seconds":1e-07,"repeats":7,)"
@@ -116,7 +116,7 @@ TEST(Rows, NumbersComeBackToTheLastBit) {
 
 TEST(Rows, WhatIsNoNumberIsAbsentAndNeverGood) {
   Row row = full_row();
-  row.errors = RowErrors{nan, infinity, -infinity, nan, nan, infinity, nan, infinity};
+  row.errors = RowErrors{nan, infinity, -infinity, nan, nan, infinity, nan, infinity, nan};
   row.drift = {{"energy", infinity}, {"momentum", nan}};
   const std::string line = to_json_line(row);
   EXPECT_THAT(line, testing::Not(HasSubstr("nan")));

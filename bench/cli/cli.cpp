@@ -63,6 +63,13 @@ void add_common(CLI::App& command, CommonOptions& options) {
       ->option_text("STYLE");
 }
 
+/// A shell variable that was not set must not mean "everything".
+const CLI::Validator something(
+    [](const std::string& text) {
+      return text.empty() ? std::string("nothing is given: leave the option out for the default") : "";
+    },
+    "");
+
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
   return command.add_option("--format", format, fmt::format("{}", fmt::join(formats, ", ")))
       ->check(CLI::IsMember(formats))
@@ -93,16 +100,24 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   auto& run_app = *app.add_subcommand("run", "measure error, work and time; rows stream to results.jsonl");
   run_app.add_option("-s,--suite", run.plan.suite, fmt::format("{}", fmt::join(suite_names(), ", ")))
       ->option_text("NAME");
-  run_app.add_option("--methods", run.plan.methods, "ids with commas; * and ? match")->option_text("LIST");
+  run_app.add_option("--methods", run.plan.methods, "ids with commas; * and ? match")
+      ->check(something)
+      ->option_text("LIST");
   run_app.add_option("--problems", run.plan.problems, "presets or families with commas; * and ? match")
+      ->check(something)
       ->option_text("LIST");
   run_app.add_option("--set", run.plan.settings, "parameters of the problems, like k=6e5,m=168,zeta=0.1")
       ->option_text("SETTINGS");
-  run_app.add_option("--dt", dt_text, "step sizes: 1/30,1/60 or start:ratio:count")->option_text("LADDER");
-  run_app.add_option("--tol", tol_text, "tolerances: 1e-3,1e-6 or start:ratio:count")->option_text("LADDER");
+  run_app.add_option("--dt", dt_text, "step sizes: 1/30,1/60 or start:ratio:count")
+      ->check(something)
+      ->option_text("LADDER");
+  run_app.add_option("--tol", tol_text, "tolerances: 1e-3,1e-6 or start:ratio:count")
+      ->check(something)
+      ->option_text("LADDER");
   run_app.add_option("--filter", run.plan.filter, "step-size filter: dead_band, elementary, pi or h211b")
       ->option_text("NAME");
   run_app.add_option("--scalar", run.plan.scalars, "float, double, long_double, with commas")
+      ->check(something)
       ->option_text("LIST");
   run_app.add_flag("--compensated", run.plan.compensated,
                    "carry the rounding error of the state (fixed steps)");
@@ -114,7 +129,9 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   run_app.add_option("-j,--jobs", run.jobs, "threads for the errors; times are always taken one by one")
       ->option_text("N");
   run_app.add_flag("--resume", run.resume, "keep the rows that are there and go on");
-  run_app.add_option("-o,--output", run.output, "folder of results.jsonl")->option_text("DIR");
+  run_app.add_option("-o,--output", run.output, "folder of results.jsonl")
+      ->check(something)
+      ->option_text("DIR");
   add_common(run_app, run);
 
   ReportOptions report;
@@ -123,6 +140,12 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   report_app.add_option("-o,--output", report.output, "folder of results.jsonl and of the report")
       ->option_text("DIR");
   report_app.add_option("--title", report.title, "title of the report")->option_text("TEXT");
+  report_app
+      .add_option("--pages", report.pages,
+                  "pages of methods and families: all, or those of the results (used); default: used where "
+                  "the run chose some, else all")
+      ->check(CLI::IsMember(std::vector<std::string>{"all", "used", "auto"}))
+      ->option_text("WHICH");
   add_common(report_app, report);
 
   CheckCommandOptions check;
@@ -186,6 +209,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   stability_app.add_option("--set", stability.settings, "its parameters, like k=6e5,m=168,zeta=0.1")
       ->option_text("SETTINGS");
   stability_app.add_option("--methods", stability.methods, "ids with commas; * and ? match")
+      ->check(something)
       ->option_text("LIST");
   stability_app.add_option("--dt", stability_dt, "your dt, like 1/60: verdict, margin, growth, substeps")
       ->option_text("DT");
@@ -210,6 +234,7 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
   add_format(doctor_app, doctor.format, {"text", "json"});
 
   try {
+    require_unique_names(registry);
     if (!arguments.empty() && !arguments[0].starts_with("-")) {
       std::vector<std::string> commands;
       for (const auto* command : app.get_subcommands([](CLI::App*) { return true; }))

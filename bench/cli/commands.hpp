@@ -38,6 +38,8 @@ struct RunOptions : CommonOptions {
 
 struct ReportOptions : CommonOptions {
   std::string output = "out", title;
+  std::string pages =
+      "auto";  // of methods and families: all, those of the results (used), or as the suite is
 };
 
 struct CheckCommandOptions : CommonOptions {

@@ -1,6 +1,7 @@
 // odemark run: the error and cost sweep, streamed to results.jsonl.
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -56,6 +57,20 @@ Results open_previous(const std::string& path, const std::string& suite) {
   return previous;
 }
 
+/// A new run begins a new file: up to three earlier ones stay beside it, the latest as .previous.
+void keep_previous(const std::string& path) {
+  const std::array names{path, path + ".previous", path + ".previous2", path + ".previous3"};
+  std::error_code ignored;
+  for (std::size_t i = names.size() - 1; i > 0; --i)
+    if (std::filesystem::exists(names[i - 1])) std::filesystem::rename(names[i - 1], names[i], ignored);
+}
+
+/// The linear ones of the problems that were asked for; where none were, the usual springs and the ship.
+std::vector<AnyProblem> stability_problems(const Registry& registry, const PlanOptions& plan) {
+  if (plan.problems.empty()) return default_stability_problems();
+  return linear_problems(select_problems(registry, plan.problems, plan.settings));
+}
+
 }  // namespace
 
 int run_command(const Registry& registry, const RunOptions& options, const std::atomic<bool>& stop) {
@@ -69,12 +84,10 @@ int run_command(const Registry& registry, const RunOptions& options, const std::
   header.suite = suite_text(options.plan);
   header.footnotes = footnotes();
   Results results;
-  if (resume) results = open_previous(path, header.suite);
-  // an earlier file stays readable until the new one has been begun
-  else if (std::filesystem::exists(path)) {
-    std::error_code ignored;
-    std::filesystem::rename(path, path + ".previous", ignored);
-  }
+  if (resume)
+    results = open_previous(path, header.suite);
+  else
+    keep_previous(path);
   LineWriter writer(path, resume);
   if (!resume) {
     writer.write(to_json_line(header));
@@ -99,29 +112,27 @@ int run_command(const Registry& registry, const RunOptions& options, const std::
     };
     complete = execute(plan, execute_options);
   }
-  if (complete && options.stability && results.stability.empty()) {
+  if (complete && options.stability) {
     Progress progress("stability limits", options);
     StabilityOptions measure;
     measure.jobs = static_cast<unsigned>(options.jobs);
+    measure.stop = &stop;
+    for (const auto& row : results.stability) measure.done.insert(row.problem + "/" + row.method);
     measure.progress = [&](std::size_t done, std::size_t total, const StabilityRow& row) {
+      writer.write(to_json_line(row));
+      results.stability.push_back(row);
       progress.update(done, total, row.problem + "/" + row.method);
     };
     std::vector<AnyMethod> methods;
     for (const auto* method : select_methods(registry, options.plan.methods)) methods.push_back(*method);
-    for (const auto& row : measure_stability(methods, default_stability_problems(), measure)) {
-      if (stop.load()) {
-        complete = false;
-        break;
-      }
-      writer.write(to_json_line(row));
-      results.stability.push_back(row);
-    }
+    measure_stability(methods, stability_problems(registry, options.plan), measure);
+    complete = !stop.load();
   }
   if (!complete) {
-    fmt::print(
-        stderr,
-        "interrupted: {} finished rows are in {}; `odemark run --resume` with the same arguments goes on\n",
-        results.rows.size(), path);
+    fmt::print(stderr,
+               "interrupted: {} runs and {} stability limits are in {}; `odemark run --resume` with the same "
+               "arguments goes on\n",
+               results.rows.size(), results.stability.size(), path);
     return exit_interrupted;
   }
   if (!options.quiet) fmt::print("{}", console_summary(results));

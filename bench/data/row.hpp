@@ -20,6 +20,9 @@ struct RowWork {
 };
 
 /// Distances from the truth at the end and over the common time grid. Absent unless the run reached the end.
+/// A motion that has died to less than this, in its scale, says little by its end.
+inline constexpr double next_to_nothing = 1e-3;
+
 struct RowErrors {
   double scaled = 0;  // max over components of |y - truth| / scale of the component: what curves are drawn of
   double absolute = 0;             // max |y - truth|
@@ -29,6 +32,8 @@ struct RowErrors {
   std::optional<double> trajectory_rms;
   std::optional<double> amplitude;  // oscillations: amplitude / true amplitude - 1 at the end
   std::optional<double> phase;  // oscillations: phase - true phase at the end, rad, unwrapped along the run
+  /// The largest component of the truth at the end, in its scale; only where that is below next_to_nothing.
+  std::optional<double> left;
 };
 
 /// Wall time of the same request, run again bare.

@@ -23,6 +23,8 @@ done
 refused 2 'cannot read' report -o "$work/nowhere"
 refused 2 'schema 99' report -o "$work/other"
 refused 2 'not a results line' report -o "$work/garbage"
+mkdir -p "$work/blocked/report.html" && cp "$results" "$work/blocked"
+refused 2 'report.html: it is a folder' report -o "$work/blocked"
 refused 2 'cannot read' compare "$results" "$work/nowhere.jsonl"
 
 # a folder that cannot be: below a file

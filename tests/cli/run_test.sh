@@ -48,6 +48,46 @@ cmp -s "$work/kept" "$work/a/results.jsonl" || fail "a refused resume changed th
 run run --methods rk4 --problems oscillator --dt 0.5 --no-timing --no-stability -q -o "$work/a"
 expect_code 0
 cmp -s "$work/kept" "$work/a/results.jsonl.previous" || fail "the earlier results are lost"
+run run --methods rk4 --problems oscillator --dt 0.5 --no-timing --no-stability -q -o "$work/a"
+cmp -s "$work/kept" "$work/a/results.jsonl.previous2" || fail "the results before the earlier are lost"
+
+# what is left empty is a slip, not "everything"; what can be no run is no success
+for option in --methods --problems --dt --tol; do
+  refused 2 "$option: nothing is given" run "$option" '' -o "$work/a"
+done
+refused 2 'give --dt instead of --tol' run --methods rk4 --tol 1e-3 -o "$work/a"
+refused 2 'give --tol instead of --dt' run --methods radau --dt 0.01 -o "$work/a"
+
+# stability limits: of the problem that was asked for; measured again where a cut lost them
+spring=(--methods rk4,heun --problems damped_spring --set k=6e5,m=168,zeta=0.1 --dt 1/60 --no-timing --progress none)
+limits() { grep -c '"record":"stability"' "$1/results.jsonl"; }
+run run "${spring[@]}" -q -o "$work/f"
+expect_code 0
+[ "$(limits "$work/f")" = 2 ] || fail "$said: $(limits "$work/f") limits, not 2"
+grep '"record":"stability"' "$work/f/results.jsonl" | grep -qv 'k=6e5' && fail "a limit of another spring"
+cp "$work/f/results.jsonl" "$work/all_limits"
+head -n -1 "$work/all_limits" >"$work/f/results.jsonl"
+run run "${spring[@]}" -q -o "$work/f" --resume
+cmp -s "$work/all_limits" "$work/f/results.jsonl" || fail "a lost limit is not measured again"
+run run --methods rk4 --problems robertson --dt 1e-3 --no-timing -q -o "$work/g"
+[ "$(limits "$work/g")" = 0 ] || fail "limits of what is not linear"
+
+# Ctrl-C among the limits keeps those that are there
+"$ODEMARK" run --methods '*' --problems oscillator --dt 0.5 --no-timing --progress none -o "$work/h" >/dev/null 2>"$work/err" &
+process=$!
+for _ in $(seq 2000); do
+  grep -q '"record":"stability"' "$work/h/results.jsonl" 2>/dev/null && break
+  sleep 0.01
+done
+kill -INT $process 2>/dev/null
+wait $process
+code=$? said="odemark run, interrupted among the limits"
+expect_code 130
+kept=$(limits "$work/h")
+[ "$kept" -gt 0 ] || fail "$said: no limit was kept"
+run run --methods '*' --problems oscillator --dt 0.5 --no-timing -q --resume -o "$work/h"
+expect_code 0
+[ "$(limits "$work/h")" -gt "$kept" ] || fail "$said: resuming measured nothing"
 
 # Ctrl-C: exit code 130, whole lines only, and resuming completes them
 long=(--methods 'taylor*,rk4' --problems oscillator,pendulum --no-timing --no-stability)

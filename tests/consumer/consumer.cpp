@@ -31,7 +31,7 @@ double observed_order(const odemark::AnyMethod& method, const odemark::AnyProble
 }  // namespace
 
 int main() {
-  const auto own_method = odemark::erase_method<consumer::ralston3>();
+  const auto own_method = odemark::erase_method<consumer::my_ralston3>();
   const auto own_problem =
       odemark::find_problem({odemark::make_family<consumer::Logistic>()}, "logistic", "r=2");
   const auto oscillator = odemark::find_problem(odemark::suite_families(), "oscillator");

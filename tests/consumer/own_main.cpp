@@ -6,6 +6,6 @@
 #include "reference/make_family.hpp"
 
 void odemark_user_register(odemark::Registry& registry) {
-  registry.methods.push_back(odemark::erase_method<consumer::ralston3>());
+  registry.methods.push_back(odemark::erase_method<consumer::my_ralston3>());
   registry.families.push_back(odemark::make_family<consumer::Logistic>());
 }
