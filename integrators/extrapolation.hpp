@@ -38,7 +38,9 @@ struct LinearlyImplicitRule {
   }
 };
 
-/// Always all rows; the estimate is the difference of the last two entries of the last one.
+/// Always all rows; the estimate is the difference of the last two entries of the last one. Of a step that is
+/// not to be trusted it is not a number: error control refuses that as it refuses any that is too large, and
+/// fixed steps, which have no other step to take, go on.
 template <class Table>
 class ExtrapolationStepper {
  public:
@@ -46,7 +48,9 @@ class ExtrapolationStepper {
   using Real = typename Table::Real;
 
   template <System P>
-  ExtrapolationStepper(const P& system, const State& model) : table_(system, model) {}
+  ExtrapolationStepper(const P& system, const State& model) : table_(system, model) {
+    if constexpr (has_doubts) table_.always_go_on();
+  }
 
   void start() { begun_ = false; }
   void accept() { begun_ = false; }
@@ -57,10 +61,16 @@ class ExtrapolationStepper {
     begun_ = true;  // what is known of the start stays known if this attempt is rejected
     for (std::size_t row = 0; row < Table::rows; ++row)
       if (!table_.add_row(row, t, y, h, next, error)) return StepStatus::newton_diverged;
+    if constexpr (has_doubts)
+      if (!table_.is_trusted())
+        for_each_component(error,
+                           [&](std::size_t i) { error.data()[i] = std::numeric_limits<Real>::quiet_NaN(); });
     return StepStatus::ok;
   }
 
  private:
+  static constexpr bool has_doubts = requires(const Table& table) { table.is_trusted(); };
+
   Table table_;
   bool begun_ = false;
 };
@@ -72,9 +82,10 @@ struct FixedExtrapolation {
   static constexpr unsigned needs = 0;
 
   std::string_view id, source;
-  std::string_view advice = "";
+  std::string_view note = "", advice = "";
   int order = Rule::order_of(Rows);
   int embedded_order = Rule::order_of(Rows - 1);
+  bool jumps_over_poles = false;  // see AnyMethod
 
   Theory theory() const { return Rule::template theory<Rows>(); }
 

@@ -37,14 +37,19 @@ class LinearlyImplicitTable {
   }
 
   void begin(Real t, const State& y) { evaluate_jacobian(system_, t, y, jacobian_, now_, move_, spare_); }
+  void always_go_on() { goes_on_ = true; }
+  bool is_trusted() const { return trusted_; }
   NewtonCounts counts() const { return counts_; }
 
   /// Adds the next row; `best` and `difference` are its last entry and how far that is from the one before.
-  /// False where Newton's iteration for the first of two implicit Euler substeps would not contract: the
-  /// Jacobian is not that of the way the solution takes (SEULEX's test).
+  /// False where it is not finite, and where the step is not to be trusted, unless all rows are wanted all
+  /// the same: then is_trusted() tells. What decides is whether Newton's iteration for the first of two
+  /// implicit Euler substeps would contract; if not, the Jacobian is not that of the way the solution takes
+  /// (SEULEX's test).
   bool add_row(std::size_t row, Real t, const State& y, Real h, State& best, State& difference) {
     const int count = substeps(row);
     const Real small = h / static_cast<Real>(count);
+    if (row == 0) trusted_ = true;
     lu_.factorize_step(jacobian_, small);
     ++counts_.lu;
     now_ = y;
@@ -59,7 +64,8 @@ class LinearlyImplicitTable {
         length += std::abs(move_.data()[i]);
       });
       if (!std::isfinite(length)) return false;
-      if (m == 1 && count <= 2 && !contracts(t + small, small, length)) return false;
+      if (m == 1 && count <= 2 && !contracts(t + small, small, length)) trusted_ = false;
+      if (!trusted_ && !goes_on_) return false;
     }
     extrapolate(row, best, difference);
     return true;
@@ -110,6 +116,7 @@ class LinearlyImplicitTable {
   JacobianMatrix<Real> jacobian_;
   ShiftedLu<Real> lu_;
   NewtonCounts counts_;
+  bool goes_on_ = false, trusted_ = true;
 };
 
 /// sum_j w_j (1 - z / n_j)^(-n_j) over a common denominator, w_j the weights of the extrapolation to h = 0.

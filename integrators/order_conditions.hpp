@@ -1,6 +1,8 @@
 // Algebraic order of a Runge-Kutta tableau by rooted trees, at compile time or run time.
 #pragma once
 
+#include <limits>
+
 #include "integrators/stepper.hpp"
 
 namespace odemark {
@@ -72,9 +74,9 @@ struct TreeResidual {
     residual -= 1 / gamma;
     size += 1 / gamma;
   }
-  constexpr bool vanishes() const {
-    const Coefficient tolerance = 1e-17L * Coefficient(S) * size;  // 10 s u: coefficients are long double
-    return residual <= tolerance && residual >= -tolerance;
+  constexpr bool vanishes() const { return within(1e-17L * Coefficient(S)); }  // 200 s u
+  constexpr bool within(Coefficient share) const {
+    return residual <= share * size && residual >= -share * size;
   }
 };
 
@@ -94,10 +96,13 @@ constexpr int algebraic_order(const std::array<std::array<Coefficient, S>, S>& a
 
 /// The order of the values between steps: b_j(theta) = sum_k dense[j][k] theta^(k+1) must meet b(theta) .
 /// Phi(tree) = theta^order / gamma power by power, and be b at theta = 1. `Total` stages: those of the step,
-/// and those that only values between steps need where there are some.
+/// and those that only values between steps need where there are some. A term of a tree of n nodes has n
+/// coefficients, each rounded, and n - 1 products, rounded again: 2 n units of roundoff are all that is
+/// excused.
 template <std::size_t Total, class Method>
 constexpr int dense_order_of(const Method& m, int highest) {
   using Weights = std::array<Coefficient, Total>;
+  constexpr Coefficient unit = std::numeric_limits<Coefficient>::epsilon() / 2;
   constexpr std::size_t degree = std::tuple_size_v<std::remove_cvref_t<decltype(m.dense[0])>>;
   std::array<Weights, Total> a{};
   for (std::size_t i = 0; i < Total; ++i)
@@ -117,7 +122,7 @@ constexpr int dense_order_of(const Method& m, int highest) {
         for (std::size_t j = 0; j < Total; ++j) column[j] = m.dense[j][k];
         TreeResidual<Total> power(a, column, tree);
         if (int(k) + 1 != order) power.residual -= minus_inverse_gamma;
-        if (!power.vanishes()) return order - 1;
+        if (!power.within(2 * Coefficient(order) * unit)) return order - 1;
       }
     } while (tree.advance());
   }

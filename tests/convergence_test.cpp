@@ -13,6 +13,7 @@
 #include "reports/observed_order.hpp"
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
+#include "tests/support/straight_stretch.hpp"
 
 namespace odemark {
 namespace {
@@ -43,8 +44,8 @@ std::optional<std::vector<T>> samples(const AnyMethod& method, const AnyProblem&
   return trace.samples;
 }
 
-/// From here on intervals are long and arithmetic is extended: in double, and on short intervals, two rungs
-/// of the ladder lead from nothing to round-off.
+/// From here on arithmetic is extended, and intervals are longer where that helps: in double, two rungs of
+/// the ladder lead from nothing to round-off.
 constexpr int lowest_high_order = 5;
 enum class Length { brief, extended, longest };
 
@@ -98,11 +99,11 @@ double mean_error(const Ground& ground, const std::vector<T>& found) {
   return double(std::sqrt(squares / static_cast<long double>(found.size())));
 }
 
+/// The higher the order, the fewer powers of two lie between "too coarse" and round-off.
 template <class T>
-ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
+std::vector<Row> ladder(const AnyMethod& method, const Ground& ground) {
   const AnyProblem& problem = ground.problem;
   const int order = expected_order(method, problem).order;
-  // the higher the order, the fewer powers of two lie between "too coarse" and round-off
   const double ratio = order > 6 ? 1.15 : order > 4 ? 1.3 : order > 2 ? 1.6 : 2;
   std::vector<Row> rows;
   long previous = 0;
@@ -121,19 +122,34 @@ ObservedOrder measure(const AnyMethod& method, const Ground& ground) {
     const double floor = 50 * 8 * unit_roundoff(row.scalar);
     if (row.errors && row.errors->scaled < floor) break;
   }
+  return rows;
+}
+
+ObservedOrder measure_low(const AnyMethod& method, const Ground& ground) {
   // slopes approach a high order as slowly as a low one, in proportion
+  const int order = expected_order(method, ground.problem).order;
   OrderOptions options;
-  options.slack = std::max(options.slack, 0.04 * order);
   options.slope_scatter = std::max(options.slope_scatter, 0.03 * order);
-  // on the last six decades that the ladder reaches; what is above is on the way to the order and tells
-  // nothing
-  if (order >= lowest_high_order) {
-    double least = 1;
-    for (const Row& row : rows)
-      if (row.errors && row.errors->scaled > 0) least = std::min(least, row.errors->scaled);
-    options.largest_error = std::max(1e-11, 1e6 * least);
+  return observed_order(ladder<double>(method, ground), options);
+}
+
+/// High orders: on the first of three intervals that has a straight stretch of five decades, else on that
+/// whose stretch is longest. On short intervals the terms of the error that grow as t^2 are small; on long
+/// ones there are more steps before round-off. What counts as straight is slopes within 6 % of the order; 7 %
+/// gives the same verdicts.
+std::optional<Stretch> measure_high(const AnyMethod& method, std::size_t ground) {
+  std::optional<Stretch> best;
+  for (const Length length : {Length::brief, Length::extended, Length::longest}) {
+    const Ground& there = grounds(length)[ground];
+    std::vector<CurvePoint> curve;
+    for (const Row& row : ladder<long double>(method, there))
+      if (row.errors && std::isfinite(row.errors->scaled)) curve.push_back({*row.dt, row.errors->scaled});
+    const double scatter = 0.06 * expected_order(method, there.problem).order;
+    const auto stretch = straightest(curve, scatter, 0.1, 100 * 8 * unit_roundoff("long_double"));
+    if (stretch && !(best && best->decades > stretch->decades)) best = stretch;
+    if (best && best->decades >= 5) break;
   }
-  return observed_order(rows, options);
+  return best;
 }
 
 class Convergence : public testing::TestWithParam<AnyMethod> {};
@@ -143,36 +159,37 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
   int measured = 0, holds = 0, nonlinear = 0, driven = 0;
   const MethodFacts facts = method_facts(method.theory(), method.order, method.embedded_order);
   const bool proved = facts.order && *facts.order == method.order && facts.order.reason.starts_with("proved");
-  std::vector<double> slopes;  // over the claimed order, where that is high
   for (std::size_t n = 0; n < grounds().size(); ++n) {
-    if (!can_run<double>(method, grounds()[n].problem)) continue;
-    if (grounds()[n].turning && !(method.needs & Ability::rotation)) continue;
-    const int expected = expected_order(method, grounds()[n].problem).order;
-    const bool high = expected >= lowest_high_order;
-    const Ground& ground = grounds(expected > 10 ? Length::longest
-                                   : high        ? Length::extended
-                                                 : Length::brief)[n];
-    const ObservedOrder order = high ? measure<long double>(method, ground) : measure<double>(method, ground);
-    std::printf("%-36s %-28s claimed %2d observed %6.3f +- %.3f (%d points) %s\n",
-                std::string(method.id).c_str(), ground.problem.id.c_str(), order.claimed,
-                order.slope.value_or(0), order.standard_error.value_or(0), order.points,
-                std::string(to_string(order.verdict)).c_str());
+    const Ground& ground = grounds()[n];
+    if (!can_run<double>(method, ground.problem)) continue;
+    if (ground.turning && !(method.needs & Ability::rotation)) continue;
+    const int expected = expected_order(method, ground.problem).order;
     if (is_weakly_stable(method.theory())) {
       EXPECT_EQ(expected == 0, ground.damped) << ground.problem.id;
       // what it makes of the rounding and of the start is no error term with an order
       if (ground.damped) continue;
     }
     ++measured, nonlinear += ground.nonlinear, driven += ground.driven;
-    holds += order.verdict == OrderVerdict::holds;
-    // A high order that trees have proved is seen on its way: on some ground the ladder ends a few per cent
-    // short of it, or where two error terms meet. The middle of all grounds must be there.
-    if (expected >= lowest_high_order && (proved || method.order > 10)) {
-      if (order.slope) {
-        slopes.push_back(*order.slope / expected);
-        EXPECT_GE(slopes.back(), proved ? 0.85 : 0.75) << ground.problem.id;
-      }
+    if (expected >= lowest_high_order) {
+      const auto seen = measure_high(method, n);
+      std::printf("%-36s %-28s claimed %2d observed %6.3f (%zu points, %.1f decades)\n",
+                  std::string(method.id).c_str(), ground.problem.id.c_str(), expected, seen ? seen->slope : 0,
+                  seen ? seen->points : 0, seen ? seen->decades : 0);
+      // beyond order 10 two or three rungs lead from nothing to round-off on many grounds, and tell nothing
+      const bool tells = seen && seen->decades >= (expected > 10 ? 5 : 3);
+      EXPECT_TRUE(tells || expected > 10) << ground.problem.id;
+      if (!tells) continue;
+      // an order is a whole number: the nearest
+      EXPECT_GE(seen->slope, expected - 0.5) << ground.problem.id;
+      holds += std::abs(seen->slope - expected) <= 0.5;
       continue;
     }
+    const ObservedOrder order = measure_low(method, ground);
+    std::printf("%-36s %-28s claimed %2d observed %6.3f +- %.3f (%d points) %s\n",
+                std::string(method.id).c_str(), ground.problem.id.c_str(), order.claimed,
+                order.slope.value_or(0), order.standard_error.value_or(0), order.points,
+                std::string(to_string(order.verdict)).c_str());
+    holds += order.verdict == OrderVerdict::holds;
     // better than claimed happens where an error term vanishes; worse, or not to be told, must not
     EXPECT_TRUE(order.verdict == OrderVerdict::holds || order.verdict == OrderVerdict::exceeds)
         << ground.problem.id << ": " << to_string(order.verdict) << ", " << order.reason;
@@ -180,14 +197,46 @@ TEST_P(Convergence, ClaimedOrderIsObserved) {
   EXPECT_GE(measured, 3);
   EXPECT_GE(nonlinear, 1);
   EXPECT_GE(driven, 1);
-  if (proved && !slopes.empty()) {
-    std::sort(slopes.begin(), slopes.end());
-    EXPECT_GE(slopes.size(), 2u);
-    EXPECT_GE(slopes[slopes.size() / 2], 0.97);
-  }
   // Whether a claim is too low is not seen where the first error term was made so small that the next hides
   // it down to round-off (verner65, verner98); but then trees have proved that it is there.
   EXPECT_TRUE(proved || method.order > 10 || 2 * holds >= measured) << "the claim is too low";
+}
+
+/// A method of one order less than it claims: on every ground but those where its error term vanishes.
+TEST(Planted, AnOrderTooHighIsSeen) {
+  for (const char* id : {"dormand_prince54", "verner76", "gragg_bulirsch_stoer8", "kahan_li8", "bdf6",
+                         "adams_bashforth5", "feagin108", "gauss6"}) {
+    AnyMethod method = suite_method(id);
+    ++method.order;
+    int seen = 0, asked = 0;
+    for (std::size_t n = 0; n < 8; ++n) {
+      if (!can_run<double>(method, grounds()[n].problem)) continue;
+      const int expected = expected_order(method, grounds()[n].problem).order;
+      if (expected != method.order) continue;
+      const auto stretch = measure_high(method, n);
+      ++asked, seen += !(stretch && stretch->slope >= expected - 0.5);
+    }
+    EXPECT_GE(asked, 1) << id;
+    EXPECT_GE(2 * seen, asked) << id << ": " << seen << " of " << asked;
+  }
+}
+
+/// What gragg_bulirsch_stoer8 does on a pendulum of 12 s, made plain: a term of the next order with the
+/// opposite sign, 33 1/s times the first, lets the slope pass through 10 and 6.6 before it comes to 8.
+TEST(Stretches, ATermOfTheNextOrderDoesNotDeceive) {
+  const auto curve = [](double c8, double c9) {
+    std::vector<CurvePoint> out;
+    for (double h = 0.2; h > 1e-3; h /= 1.15) out.push_back({h, std::abs(std::pow(h, 8) * (c8 + c9 * h))});
+    return out;
+  };
+  const auto slope = [&](double c8, double c9) {
+    return straightest(curve(c8, c9), 0.48, 1, 0).value().slope;
+  };
+  EXPECT_NEAR(slope(1, 0), 8, 1e-9);
+  EXPECT_NEAR(slope(1, -33), 8, 0.4);
+  EXPECT_NEAR(slope(1, 33), 8, 0.5);
+  EXPECT_NEAR(slope(0, 33), 9, 1e-9);
+  EXPECT_FALSE(straightest({{1, 1}, {0.5, 0.1}, {0.25, 0.01}}, 0.48, 1, 0));  // three points prove nothing
 }
 
 std::vector<AnyMethod> fixed_step_methods() {

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "integrators/catalogue.hpp"
 #include "integrators/erased_system.hpp"
+#include "integrators/order_conditions.hpp"
 
 namespace odemark {
 namespace {
@@ -102,6 +104,44 @@ TEST(Interpolant, ConvergesWithItsOrderOverTheCatalogue) { EXPECT_GE(check_all(S
 TEST(Interpolant, AWrongWeightIsSeen) {
   EXPECT_LT(observed_order<wrong_dense>(), 2);
   EXPECT_LT(observed_order<wrong_dense_stage>(), 5);
+}
+
+/// What is excused of b(theta) is what its weights lose when they are rounded, and no more: a power of theta
+/// is cleared of 2 u times one and the sum of the magnitudes of its weights (by the tree of one node; larger
+/// trees excuse more) and has up to u of that itself. A slip of 3 u is therefore the smallest that must be
+/// seen in every weight: 1e-17 of theta^2 to 6e-16 of theta^5 in dop853, whose weights are up to 545.
+template <const auto& method>
+void expect_every_weight_is_seen() {
+  constexpr Coefficient unit = std::numeric_limits<Coefficient>::epsilon() / 2;
+  EXPECT_EQ(algebraic_dense_order(method, method.dense_order + 1), method.dense_order) << method.id;
+  for (std::size_t k = 0; k + 1 < highest_dense_degree; ++k) {
+    Coefficient magnitudes = 0;
+    for (const auto& weights : method.dense) magnitudes += std::abs(weights[k]);
+    for (std::size_t j = 0; j < method.stages + method.dense_stages; ++j) {
+      auto wrong = method;
+      const Coefficient slip = 3 * unit * (1 + magnitudes);
+      wrong.dense[j][k] += slip, wrong.dense[j][k + 1] -= slip;  // theta = 1 sees nothing
+      EXPECT_LT(algebraic_dense_order(wrong, method.dense_order), method.dense_order)
+          << method.id << " " << j << " " << k;
+    }
+  }
+}
+
+TEST(Interpolant, TheSmallestSlipInAWeightIsSeenByTheOrderConditions) {
+  int methods = 0;
+  const auto check = [&]<const auto & method>() {
+    if constexpr (requires { method.dense_order; })
+      if constexpr (method.dense_order > 0) expect_every_weight_is_seen<method>(), ++methods;
+  };
+  [&]<const auto&... suite>(MethodList<suite...>) { (check.template operator()<suite>(), ...); }
+  (SuiteMethods{});
+  EXPECT_GE(methods, 6);
+  // what the stages between steps look at goes through one more product
+  for (std::size_t stage = 1; stage < dop853.dense_stages; ++stage) {
+    auto wrong = dop853;
+    wrong.a_dense[stage][7] += 1e-14L, wrong.a_dense[stage][6] -= 1e-14L;  // the node stays
+    EXPECT_LT(algebraic_dense_order(wrong, 8), 7) << stage;
+  }
 }
 
 }  // namespace

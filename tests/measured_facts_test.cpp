@@ -1,12 +1,22 @@
 // Every method of the suite does what its coefficients say, in double and in float.
 #include "bench/measured_facts.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <complex>
 
 #include "bench/facts.hpp"
+#include "bench/linear_block.hpp"
+#include "integrators/erase_method.hpp"
+#include "integrators/methods/hht_alpha_005.hpp"
+#include "tests/support/runs.hpp"
 
 namespace odemark {
 namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
 
 class Measured : public testing::TestWithParam<const AnyMethod*> {};
 
@@ -50,6 +60,51 @@ TEST(MeasuredFacts, WhatIsMeasuredOfAPair) {
                                                "evaluations_per_step float", "quadrature in t float",
                                                "real_interval double", "oscillator_limit double"}));
   }
+}
+
+/// Without the damping of its beta and gamma the blend of forces is of order 1.
+constexpr auto undamped_blend = [] {
+  auto m = hht_alpha_005;
+  m.id = "undamped_blend";
+  m.gamma = 0.5L;
+  return m;
+}();
+static_assert(!undamped_blend.second_order_and_stable());
+
+/// A carried acceleration excuses what its start leaves behind, which falls as h^2, and no error that falls
+/// as h.
+TEST(MeasuredFacts, ACarriedAccelerationIsNoExcuseForAnOrderLess) {
+  const AnyMethod method = erase_method<undamped_blend>();
+  FactSheet sheet = fact_sheet(method);
+  sheet.measured = measure_facts(method);
+  const auto faults = measured_faults(sheet);
+  EXPECT_THAT(faults, Contains(HasSubstr("undamped_blend: quadrature in t in double")));
+  EXPECT_THAT(faults, Contains(HasSubstr("undamped_blend: quadrature in t in float")));
+}
+
+/// Does the estimate of a step of y' = lambda y vanish, though the step is off? Then no step of a linear
+/// problem with constant coefficients is ever rejected.
+bool is_deceived_by_linear_problems(const AnyMethod& method) {
+  const std::complex<double> z{-0.5, 0.5};
+  const LinearBlock<double> block{z.real(), z.imag()};
+  const auto step = method.runs<double>().transition(block.view(), 1);
+  const double off = std::abs(std::complex<double>(step.columns[0], step.columns[1]) - std::exp(z));
+  return off > 1e-12 && std::hypot(step.errors[0], step.errors[1]) < 1e-4 * off;
+}
+
+/// What its advice must say.
+TEST(MeasuredFacts, WhoseEstimateIsBlindToLinearProblemsSaysSo) {
+  int asked = 0;
+  for (const auto& method : suite_methods()) {
+    if (!method.takes_error_control || !method.runs<double>().transition || method.multistep) continue;
+    if ((method.needs & ~LinearBlock<double>{0, 0}.view().abilities) != 0) continue;
+    ++asked;
+    EXPECT_EQ(is_deceived_by_linear_problems(method),
+              method.advice.find("its estimate is 0 where f is linear") != method.advice.npos)
+        << method.id;
+  }
+  EXPECT_GE(asked, 40);
+  EXPECT_TRUE(is_deceived_by_linear_problems(suite_method("ros3p")));
 }
 
 TEST(FactSheets, HaveEveryKeyOrAReason) {

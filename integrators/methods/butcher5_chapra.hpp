@@ -7,8 +7,9 @@ namespace odemark {
 inline constexpr ExplicitRungeKutta<6> butcher5_chapra{
     .id = "butcher5_chapra",
     .source =
-        "J. C. Butcher, J. Austral. Math. Soc. 4 (1964) 179-194; with a42 = -1/2, a43 = 1 as in S. C. "
-        "Chapra, R. P. Canale, Numerical Methods for Engineers, (25.46)",
+        "J. C. Butcher, J. Austral. Math. Soc. 4 (1964) 179-194; with a42 = -1/2, a43 = 1 as textbooks "
+        "print it under his name (S. C. Chapra, R. P. Canale, Numerical Methods for Engineers, ch. 25), "
+        "proved by its order conditions",
     .advice =
         "the Butcher method of engineering textbooks; not to be confused with butcher5, same nodes and "
         "weights",

@@ -6,7 +6,8 @@ namespace odemark {
 inline constexpr FullyImplicitRungeKutta<3> lobatto_iiia4{
     .id = "lobatto_iiia4",
     .source =
-        "B. L. Ehle, Univ. of Waterloo CSRR 2010 (1969); E. Hairer, G. Wanner, Solving ODEs II (1996), IV.5, "
+        "B. L. Ehle, On Pade approximations to the exponential function and A-stable methods, Univ. of "
+        "Waterloo, research report CSRR 2010 (1969); E. Hairer, G. Wanner, Solving ODEs II (1996), IV.5, "
         "table 5.7",
     .order = 4,
     .a = {{{}, {5.0L / 24, 1.0L / 3, -1.0L / 24}, {1.0L / 6, 2.0L / 3, 1.0L / 6}}},

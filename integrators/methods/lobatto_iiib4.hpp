@@ -6,7 +6,8 @@ namespace odemark {
 inline constexpr FullyImplicitRungeKutta<3> lobatto_iiib4{
     .id = "lobatto_iiib4",
     .source =
-        "B. L. Ehle, Univ. of Waterloo CSRR 2010 (1969); E. Hairer, G. Wanner, Solving ODEs II (1996), IV.5, "
+        "B. L. Ehle, On Pade approximations to the exponential function and A-stable methods, Univ. of "
+        "Waterloo, research report CSRR 2010 (1969); E. Hairer, G. Wanner, Solving ODEs II (1996), IV.5, "
         "table 5.9",
     .order = 4,
     .jumps_over_poles = true,

@@ -6,8 +6,8 @@ namespace odemark {
 inline constexpr FullyImplicitRungeKutta<2> radau_iia3{
     .id = "radau_iia3",
     .source =
-        "O. Axelsson, BIT 9 (1969) 185-199; B. L. Ehle, SIAM J. Math. Anal. 4 (1973) 671-680; E. Hairer, G. "
-        "Wanner, Solving ODEs II (1996), IV.5, table 5.5",
+        "O. Axelsson, BIT 9 (1969) 185-199, doi:10.1007/BF01946812; B. L. Ehle, SIAM J. Math. Anal. 4 "
+        "(1973) 671-680; E. Hairer, G. Wanner, Solving ODEs II (1996), IV.5, table 5.5",
     .order = 3,
     .a = {{{5.0L / 12, -1.0L / 12}, {3.0L / 4, 1.0L / 4}}},
     .b = {3.0L / 4, 1.0L / 4},
