@@ -1,7 +1,9 @@
 #include "bench/expected_order.hpp"
 
 #include <array>
+#include <cmath>
 
+#include "integrators/jacobian.hpp"
 #include "integrators/lowered_order.hpp"
 
 namespace odemark {
@@ -11,13 +13,13 @@ namespace {
 /// Does the flow shrink volumes where it starts? Then what runs against it grows: see is_weakly_stable().
 bool contracts(const AnyProblem& problem) {
   if (!(problem.abilities & Ability::jacobian)) return false;
-  const std::size_t n = problem.size();
-  std::vector<double> j(n * n, 0.0);
   const auto& system = problem.system<double>();
-  system.jacobian(problem.t_begin, problem.initial, MatrixView<double>{j.data(), n});
+  JacobianMatrix<double> j(system.jacobian_shape());
+  std::vector<double> scratch;
+  evaluate_jacobian(system, problem.t_begin, problem.initial, j, scratch, scratch, scratch);
   double trace = 0, size = 0;
-  for (std::size_t i = 0; i < n * n; ++i) size += j[i] < 0 ? -j[i] : j[i];
-  for (std::size_t i = 0; i < n; ++i) trace += j[i * n + i];
+  for (std::size_t i = 0; i < j.shape().size * j.shape().rows(); ++i) size += std::abs(j.data()[i]);
+  for (std::size_t i = 0; i < j.shape().size; ++i) trace += j.at(i, i);
   return trace < -1e-12 * size;
 }
 

@@ -22,7 +22,8 @@ struct LinearBlock {
   ErasedSystem<T> view() const {
     ErasedSystem<T> s;
     s.self = this, s.size = 2;
-    s.abilities = Ability::jacobian | Ability::linear_part | Ability::recordable | Ability::double_precision;
+    s.abilities = Ability::jacobian | Ability::linear_part | Ability::recordable | Ability::double_precision |
+                  Ability::moderate_size;
     s.rhs_call = [](const void* p, T t, const T* y, T* dydt) { of(p).rhs(t, y, dydt); };
     s.jacobian_call = [](const void* p, T, const T*, T* m) { of(p).matrix(m); };
     s.linear_part_call = [](const void* p, T* m) { of(p).matrix(m); };
@@ -55,7 +56,8 @@ struct Quadrature {
   ErasedSystem<T> view() const {
     ErasedSystem<T> s;
     s.self = this, s.size = 2, s.velocity_dependent = false;
-    s.abilities = Ability::jacobian | Ability::second_order | Ability::separable | Ability::double_precision;
+    s.abilities = Ability::jacobian | Ability::second_order | Ability::separable | Ability::double_precision |
+                  Ability::moderate_size;
     s.rhs_call = [](const void* p, T t, const T* y, T* dydt) { of(p).rhs(t, y, dydt); };
     s.acceleration_call = [](const void* p, T t, const T* y, T* a) { of(p).acceleration(t, y, a); };
     s.jacobian_call = [](const void*, T, const T*, T* m) { m[0] = m[1] = m[3] = 0, m[2] = 1; };

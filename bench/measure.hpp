@@ -27,9 +27,9 @@ std::string hash_bits(const std::vector<T>& y) {
   return text;
 }
 
-/// Fills the distances at the end; `y` has the problem's size.
-RowErrors errors_at_end(const AnyProblem& problem, const TruthPoint& truth,
-                        const std::vector<long double>& y);
+/// Fills the distances at the end; `y` has the problem's size. Of a large problem only some components are
+/// known, and compared.
+RowErrors errors_at_end(const AnyProblem& problem, const Truth& truth, const std::vector<long double>& y);
 
 /// Adds the distances over the grid: rows of `samples` belong to the points of `truth`. Absent where a sample
 /// is NaN.

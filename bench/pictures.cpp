@@ -81,7 +81,8 @@ void add_problem(Pictures& pictures, const Registry& registry, const Row& row, b
     card.truth = e.what(), certified = false;
   }
   pictures.problems.push_back(std::move(card));
-  pictures.scenes.push_back(make_scene(registry, problem, certified, steps));
+  // a picture needs all of a solution on its way, and shows one of its components
+  if (!problem.is_large()) pictures.scenes.push_back(make_scene(registry, problem, certified, steps));
 }
 
 struct WantedRegions {

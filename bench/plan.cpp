@@ -76,6 +76,14 @@ std::vector<const AnyMethod*> methods_of(const Registry& registry, const Suite& 
   return chosen;
 }
 
+/// Of a suite: without the large ones, a step of which may take a second. Those run when they are asked for.
+std::vector<AnyProblem> problems_of(const Registry& registry, std::string_view patterns,
+                                    std::string_view settings = "") {
+  auto problems = select_problems(registry, patterns, settings);
+  std::erase_if(problems, [](const AnyProblem& p) { return p.is_large(); });
+  return problems;
+}
+
 std::vector<ScalarType> scalars_of(std::string_view text) {
   std::vector<ScalarType> scalars;
   for (std::string_view rest = text; !rest.empty();) {
@@ -155,8 +163,9 @@ std::vector<long> step_ladder(const AnyProblem& problem, int rungs, long most_st
 std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& options) {
   const Suite& suite = find_suite(options.suite);
   const auto methods = methods_of(registry, suite, options);
-  const auto problems = select_problems(
-      registry, options.problems.empty() ? suite.problems : options.problems, options.settings);
+  const auto problems = options.problems.empty()
+                            ? problems_of(registry, suite.problems, options.settings)
+                            : select_problems(registry, options.problems, options.settings);
   const auto scalars = scalars_of(options.scalars.empty() ? "double" : options.scalars);
   std::vector<PlannedRun> plan;
   for (const auto& problem : problems) {
@@ -214,7 +223,7 @@ std::vector<PlannedRun> make_plan(const Registry& registry, const PlanOptions& o
     }
   if (options.dts.empty() && options.tolerances.empty() && options.scalars.empty() && !options.compensated &&
       options.problems.empty() && !suite.adaptive_only)
-    for (const auto& problem : select_problems(registry, suite.precision)) {
+    for (const auto& problem : problems_of(registry, suite.precision)) {
       const auto shared = std::make_shared<const AnyProblem>(problem);
       for (const AnyMethod* method : methods)
         for (const ScalarType scalar :

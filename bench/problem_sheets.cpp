@@ -112,11 +112,12 @@ SheetPreset sheet_of(const Registry& registry, const AnyProblem& problem, const 
 }  // namespace
 
 std::string range_text(const Range& r) {
-  if (std::isinf(r.lowest) && std::isinf(r.highest)) return "any";
-  if (std::isinf(r.highest)) return fmt::format("{} {:g}", r.open_below ? ">" : ">=", r.lowest);
-  if (std::isinf(r.lowest)) return fmt::format("{} {:g}", r.open_above ? "<" : "<=", r.highest);
-  return fmt::format("{}{:g}, {:g}{}", r.open_below ? "(" : "[", r.lowest, r.highest,
-                     r.open_above ? ")" : "]");
+  const std::string whole = r.whole ? ", whole" : "";
+  if (std::isinf(r.lowest) && std::isinf(r.highest)) return "any" + whole;
+  if (std::isinf(r.highest)) return fmt::format("{} {:g}{}", r.open_below ? ">" : ">=", r.lowest, whole);
+  if (std::isinf(r.lowest)) return fmt::format("{} {:g}{}", r.open_above ? "<" : "<=", r.highest, whole);
+  return fmt::format("{}{:g}, {:g}{}{}", r.open_below ? "(" : "[", r.lowest, r.highest,
+                     r.open_above ? ")" : "]", whole);
 }
 
 ProblemSheet problem_sheet(const Registry& registry, const AnyFamily& family, bool with_scene) {

@@ -130,12 +130,14 @@ void add_errors(Row& row, const AnyProblem& problem, const std::vector<long doub
   }
   const TruthPoint& end = truth->last();
   if (!problem.event_names.empty()) row.events = event_errors(found, truth->events);
-  for (std::size_t i = 0; i < y.size(); ++i)
-    row.truth_floor = std::max(row.truth_floor, double(end.values[i].bound) / problem.scale[i]);
+  for (std::size_t p = 0; p < end.values.size(); ++p)
+    row.truth_floor =
+        std::max(row.truth_floor,
+                 double(end.values[p].bound) / problem.scale[truth->places.empty() ? p : truth->places[p]]);
   row.truth_digits = end.digits;
   row.sensitivity = end.sensitivity * unit_roundoff_ratio;
   if (row.status != "reached_end") return;
-  row.errors = errors_at_end(problem, end, y);
+  row.errors = errors_at_end(problem, *truth, y);
   if (!samples.empty()) add_trajectory_errors(*row.errors, problem, *truth, samples);
   if (const auto o = watch.oscillation()) {
     std::vector<double> exact;
@@ -162,9 +164,11 @@ void run_as(Row& row, const AnyMethod& method, const AnyProblem& problem, const 
   Watch watch(problem, request.time_limit_seconds);
   std::vector<long double> wide(problem.size());
   Trace<T> trace;
-  if (request.trajectory) trace.grid = common_times(problem);
+  // sixteen states of a large problem would be most of the memory of the run, and its truth knows the end
+  if (request.trajectory && !problem.is_large()) trace.grid = common_times(problem);
   std::optional<StepRecord> record;
-  if (request.rtol && (request.step_sizes || request.local_errors))
+  // it keeps the state of every step
+  if (request.rtol && (request.step_sizes || request.local_errors) && !problem.is_large())
     record.emplace(problem, std::vector<long double>(y.begin(), y.end()));
   double last_finite = problem.t_begin;  // fixed steps go on through NaN: where the numbers ended
   trace.on_step = [&](T t, const T* state) {

@@ -150,7 +150,8 @@ std::vector<AnyProblem> linear_problems(const std::vector<AnyProblem>& problems)
   std::vector<AnyProblem> linear;
   std::set<std::string> seen;
   for (const auto& problem : problems)
-    if (problem.homogeneous && seen.insert(problem.id).second) linear.push_back(problem);
+    if (problem.homogeneous && !problem.is_large() && seen.insert(problem.id).second)
+      linear.push_back(problem);
   return linear;
 }
 

@@ -31,7 +31,7 @@ struct StabilityOptions {
 /// The oscillator, damped springs of five damping ratios, every stiff spring, the ship.
 std::vector<AnyProblem> default_stability_problems();
 
-/// Of these, the linear ones: each once.
+/// Of these, the linear ones: each once. Not the large ones, whose matrices have too many entries.
 std::vector<AnyProblem> linear_problems(const std::vector<AnyProblem>& problems);
 
 /// A row for every pair, problem by problem, methods in their order; where there is nothing to measure, a

@@ -16,7 +16,8 @@ endfunction()
 
 set(ODEMARK_PROVIDERS)
 if(ODEMARK_WITH_SUNDIALS)
-  find_package(SUNDIALS 6.0 QUIET COMPONENTS cvode arkode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
+  find_package(SUNDIALS 6.0 QUIET COMPONENTS cvode arkode nvecserial sunmatrixdense sunmatrixband sunlinsoldense
+    sunlinsolband sunnonlinsolfixedpoint)
   if(SUNDIALS_FOUND)
     odemark_sources(sources sundials_arkode sundials_checks sundials_cvode sundials_methods)
     set(sundials_core SUNDIALS::generic)
@@ -24,7 +25,8 @@ if(ODEMARK_WITH_SUNDIALS)
       set(sundials_core SUNDIALS::core)
     endif()
     odemark_provider(sundials SOURCES ${sources} LINK SUNDIALS::cvode SUNDIALS::arkode SUNDIALS::nvecserial
-      SUNDIALS::sunmatrixdense SUNDIALS::sunlinsoldense SUNDIALS::sunnonlinsolfixedpoint ${sundials_core})
+      SUNDIALS::sunmatrixdense SUNDIALS::sunmatrixband SUNDIALS::sunlinsoldense SUNDIALS::sunlinsolband
+      SUNDIALS::sunnonlinsolfixedpoint ${sundials_core})
     if(SUNDIALS_VERSION VERSION_GREATER_EQUAL 7)  # ARKStepX became a deprecated name of ARKodeX
       target_compile_options(odemark_sundials PRIVATE -Wno-deprecated-declarations)
     endif()

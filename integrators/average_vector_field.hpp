@@ -2,8 +2,8 @@
 #pragma once
 
 #include "integrators/compensated.hpp"
-#include "integrators/dense_lu.hpp"
 #include "integrators/jacobian.hpp"
+#include "integrators/shifted_lu.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -59,14 +59,14 @@ class AverageVectorFieldStepper {
 
   AverageVectorFieldStepper(const P& system, const State& model)
       : system_(system),
-        size_(size_of(model)),
         gain_(model),
         point_(model),
         slope_(model),
         mean_(model),
         moved_(model),
-        lu_(size_),
-        one_jacobian_(size_ * size_) {}
+        jacobian_(jacobian_shape(system, model)),
+        one_jacobian_(jacobian_),
+        lu_(jacobian_.shape()) {}
 
   void start() {}
   void accept() {}
@@ -89,14 +89,14 @@ class AverageVectorFieldStepper {
   static constexpr int most_iterations = 12;
 
   bool find_gain(Real t, const State& y, Real h) {
-    evaluate_jacobian(system_, t, y, MatrixView<Real>{lu_.jacobian(), size_}, point_, mean_, moved_);
+    evaluate_jacobian(system_, t, y, jacobian_, point_, mean_, moved_);
     factorize(h);
     // the Jacobian of the start may be far from the mean along the chord: once more, with Newton proper
     return iterate(t, y, h, false) || iterate(t, y, h, true);
   }
 
   void factorize(Real h) {
-    lu_.factorize(h / 2);
+    lu_.factorize_step(jacobian_, h / 2);
     ++counts_.lu;
   }
 
@@ -107,14 +107,12 @@ class AverageVectorFieldStepper {
 
   /// The derivative of the mean slope with respect to the gain is half of the mean of 2 s J.
   void average_jacobian(Real t, const State& y, Real h) {
-    Real* sum = lu_.jacobian();
-    for (std::size_t i = 0; i < size_ * size_; ++i) sum[i] = 0;
+    jacobian_.clear();
     for (std::size_t k = 0; k < method.points; ++k) {
       const Real s = static_cast<Real>(method.nodes[k]), w = static_cast<Real>(method.weights[k]);
       place(y, k);
-      evaluate_jacobian(system_, t + s * h, point_, MatrixView<Real>{one_jacobian_.data(), size_}, slope_,
-                        mean_, moved_);
-      for (std::size_t i = 0; i < size_ * size_; ++i) sum[i] += 2 * w * s * one_jacobian_[i];
+      evaluate_jacobian(system_, t + s * h, point_, one_jacobian_, slope_, mean_, moved_);
+      jacobian_.add(2 * w * s, one_jacobian_);
     }
   }
 
@@ -161,10 +159,9 @@ class AverageVectorFieldStepper {
   }
 
   const P& system_;
-  std::size_t size_;
   State gain_, point_, slope_, mean_, moved_;  // gain_ is y+ - y
-  DenseLu<Real> lu_;
-  std::vector<Real> one_jacobian_;
+  JacobianMatrix<Real> jacobian_, one_jacobian_;
+  ShiftedLu<Real> lu_;
   NewtonCounts counts_;
 };
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "integrators/bdf_formulas.hpp"
-#include "integrators/dense_lu.hpp"
 #include "integrators/integrate.hpp"
 #include "integrators/jacobian.hpp"
+#include "integrators/shifted_lu.hpp"
 
 namespace odemark {
 
@@ -27,7 +27,8 @@ class BdfDriver {
         correction_(model),
         next_(model),
         scratch_(model),
-        lu_(size_) {
+        jacobian_(jacobian_shape(system, model)),
+        lu_(jacobian_.shape()) {
     differences_.fill(zeros_like(model));
     // a looser solve costs rejections on relaxation oscillations, a tighter one evaluations everywhere
     const double tolerance = control.relative_tolerance + control.absolute_tolerance;
@@ -89,11 +90,7 @@ class BdfDriver {
     predicted_ = next_ = y;
     system_.rhs(t_, y, correction_);
     refresh_jacobian(t_, y);
-    for_each_component(y, [&](std::size_t i) {
-      Real sum = 0;
-      for (std::size_t j = 0; j < size_; ++j) sum += lu_.jacobian()[j * size_ + i] * correction_.data()[j];
-      scratch_.data()[i] = sum;
-    });
+    jacobian_.multiply(correction_.data(), scratch_.data());
     if (control_.first_step <= 0) {
       const double bend = scaled_norm(scratch_, 0.5L);
       const double bent = 0.5 / std::sqrt(bend);
@@ -107,7 +104,7 @@ class BdfDriver {
   }
 
   void refresh_jacobian(Real t, const State& at) {
-    evaluate_jacobian(system_, t, at, MatrixView<Real>{lu_.jacobian(), size_}, scratch_, distance_, next_);
+    evaluate_jacobian(system_, t, at, jacobian_, scratch_, distance_, next_);
     jacobian_fresh_ = true, factored_ = false;
   }
 
@@ -144,7 +141,7 @@ class BdfDriver {
 
   bool iterate(Real t, Real diagonal) {
     if (!factored_) {
-      lu_.factorize(diagonal);
+      lu_.factorize_step(jacobian_, diagonal);
       ++counts_.lu;
       factored_ = true, rate_ = 1;
     }
@@ -237,7 +234,8 @@ class BdfDriver {
   std::size_t size_;
   std::array<State, highest + 3> differences_;
   State predicted_, known_, distance_, correction_, next_, scratch_;
-  DenseLu<Real> lu_;
+  JacobianMatrix<Real> jacobian_;
+  ShiftedLu<Real> lu_;
   NewtonCounts counts_;
   Real t_ = 0, h_ = 0;
   std::size_t order_ = 1, equal_steps_ = 0;

@@ -4,10 +4,9 @@
 
 #include <cmath>
 
-#include "integrators/dense_lu.hpp"
 #include "integrators/matrix_exponential.hpp"
-#include "integrators/second_order_jacobian.hpp"
 #include "integrators/theory.hpp"
+#include "integrators/velocity_block_lu.hpp"
 
 namespace odemark {
 
@@ -34,6 +33,11 @@ struct DampedEuler {
   int embedded_order = 0;
   Damping damping;
   std::string_view note = "", advice = "";
+
+  /// What this method needs beyond its kind: a matrix exponential is no banded matrix.
+  constexpr unsigned more_needs() const {
+    return damping == Damping::exact ? unsigned(Ability::moderate_size) : 0;
+  }
 
   Theory theory() const {
     using What = SecondOrderMove::What;
@@ -66,12 +70,7 @@ class DampedEulerStepper {
   using Real = RealOf<State>;
 
   DampedEulerStepper(const P& system, const State& model)
-      : system_(system),
-        half_(size_of(model) / 2),
-        jacobian_(system, model),
-        solver_(half_),
-        a_(half_),
-        damped_(half_) {}
+      : system_(system), half_(size_of(model) / 2), solver_(system, model), a_(half_), damped_(half_) {}
 
   void start() {}
   void accept() {}
@@ -96,44 +95,46 @@ class DampedEulerStepper {
   /// v+ into damped_, from the force in a_.
   void kick(Real t, const State& y, Real h) {
     const Real* v = y.data() + half_;
-    jacobian_.evaluate(t, y);
     if constexpr (method.damping == Damping::implicit) {
-      fill(solver_.jacobian());
-      solver_.factorize(h);
+      solver_.factorize(t, y, h);
       ++counts_.lu;
       solver_.solve_in_place(a_.data());
       for (std::size_t i = 0; i < half_; ++i) damped_[i] = v[i] + h * a_[i];
     } else if constexpr (method.damping == Damping::exact) {
-      fill(solver_.matrix());
-      solver_.prepare(h);
-      solver_.multiply(v, damped_.data());
+      solver_.jacobian.evaluate(t, y);
+      fill(solver_.exponential.matrix());
+      solver_.exponential.prepare(h);
+      solver_.exponential.multiply(v, damped_.data());
       for (std::size_t i = 0; i < half_; ++i) {
         Real rest = a_[i];
-        for (std::size_t j = 0; j < half_; ++j) rest -= jacobian_.by_velocity(i, j) * v[j];
+        for (std::size_t j = 0; j < half_; ++j) rest -= solver_.jacobian.by_velocity(i, j) * v[j];
         damped_[i] += h * rest;
       }
     } else {
+      solver_.evaluate(t, y);
       for (std::size_t i = 0; i < half_; ++i) {
-        const Real drag = -jacobian_.by_velocity(i, i), left = 1 - h * drag;
+        const Real drag = -solver_.by_velocity(i, i), left = 1 - h * drag;
         damped_[i] = (left < 0 ? Real(0) : left) * (v[i] + h * (a_[i] + drag * v[i]));
       }
     }
   }
   void fill(Real* column_major) const {
     for (std::size_t c = 0; c < half_; ++c)
-      for (std::size_t r = 0; r < half_; ++r) column_major[c * half_ + r] = jacobian_.by_velocity(r, c);
+      for (std::size_t r = 0; r < half_; ++r)
+        column_major[c * half_ + r] = solver_.jacobian.by_velocity(r, c);
   }
 
-  struct Nothing {
-    explicit Nothing(std::size_t) {}
+  struct Exact {
+    SecondOrderJacobian<P> jacobian;
+    MatrixExponential<Real> exponential;
+    Exact(const P& system, const State& model) : jacobian(system, model), exponential(size_of(model) / 2) {}
   };
-  using Solver = std::conditional_t<
-      method.damping == Damping::implicit, DenseLu<Real>,
-      std::conditional_t<method.damping == Damping::exact, MatrixExponential<Real>, Nothing>>;
+  using Solver =
+      std::conditional_t<method.damping == Damping::implicit, VelocityBlockLu<P>,
+                         std::conditional_t<method.damping == Damping::exact, Exact, SecondOrderJacobian<P>>>;
 
   const P& system_;
   std::size_t half_;
-  SecondOrderJacobian<P> jacobian_;
   Solver solver_;
   std::vector<Real> a_, damped_;
   NewtonCounts counts_;

@@ -22,11 +22,14 @@ class DiagonallyImplicitRungeKuttaStepper {
   using Real = RealOf<State>;
 
   DiagonallyImplicitRungeKuttaStepper(const P& system, const State& model)
-      : system_(system), size_(size_of(model)), lu_(size_), last_lu_(size_) {
+      : system_(system),
+        size_(size_of(model)),
+        jacobian_(jacobian_shape(system, model)),
+        lu_(jacobian_.shape()),
+        last_lu_(jacobian_.shape()) {
     for (State* s : {&stage_, &base_, &spare_, &correction_, &z_, &weight_, &last_slope_, &last_point_})
       *s = zeros_like(model);
     slopes_.fill(stage_);
-    if constexpr (N == 0) jacobian_.resize(size_ * size_);
   }
 
   void start() {
@@ -111,7 +114,7 @@ class DiagonallyImplicitRungeKuttaStepper {
     attempts_ = 0;
   }
   void refresh_jacobian(Real t, const State& y) {
-    evaluate_jacobian(system_, t, y, MatrixView<Real>{jacobian_.data(), size_}, spare_, correction_, weight_);
+    evaluate_jacobian(system_, t, y, jacobian_, spare_, correction_, weight_);
     if (control_) set_weights(y);  // which served as scratch
     factored_ = 0;
   }
@@ -122,7 +125,7 @@ class DiagonallyImplicitRungeKuttaStepper {
   }
   void factorize(Real shift) {
     if (factored_ == shift) return;
-    lu_.factorize(jacobian_.data(), factored_ = shift);
+    lu_.factorize(jacobian_, factored_ = shift);
     ++counts_.lu;
   }
 
@@ -270,8 +273,8 @@ class DiagonallyImplicitRungeKuttaStepper {
 
   const P& system_;
   std::size_t size_;
+  JacobianMatrix<Real, N> jacobian_;
   ShiftedLu<Real, Real, N> lu_, last_lu_;
-  std::conditional_t<N == 0, std::vector<Real>, std::array<Real, N * N>> jacobian_{};
   std::array<State, S> slopes_;
   State stage_, base_, spare_, correction_, z_, weight_, last_slope_, last_point_;
   const ErrorControl* control_ = nullptr;

@@ -111,6 +111,7 @@ AnyMethod erase_method() {
   AnyMethod any;
   any.id = method.id, any.kind = Kind::kind_name, any.source = method.source;
   any.order = method.order, any.embedded_order = method.embedded_order, any.needs = Kind::needs;
+  if constexpr (requires { method.more_needs(); }) any.needs |= method.more_needs();
   any.theory = [] { return method.theory(); };
   any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
   if constexpr (requires { method.order_with_rate_torque; })

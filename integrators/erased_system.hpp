@@ -19,6 +19,8 @@ struct ErasedSystem {
   void (*rhs_call)(const void*, T t, const T* y, T* dydt) = nullptr;
   void (*acceleration_call)(const void*, T t, const T* y, T* a) = nullptr;
   void (*jacobian_call)(const void*, T t, const T* y, T* column_major) = nullptr;
+  MatrixShape band{};  // of the Jacobian; size 0 where it is not banded
+  void (*band_call)(const void*, T t, const T* y, T* band) = nullptr;  // J in the storage of that shape
   void (*time_derivative_call)(const void*, T t, const T* y, T* dfdt) = nullptr;
   void (*linear_part_call)(const void*, T* column_major) = nullptr;
   BodyPlace place{};  // of a rotating body
@@ -30,7 +32,17 @@ struct ErasedSystem {
   void rhs(T t, const State& y, State& dydt) const { rhs_call(self, t, y.data(), dydt.data()); }
   void acceleration(T t, const State& y, T* a) const { acceleration_call(self, t, y.data(), a); }
   bool force_depends_on_velocity() const { return velocity_dependent; }
-  void jacobian(T t, const State& y, MatrixView<T> j) const { jacobian_call(self, t, y.data(), j.data); }
+  MatrixShape jacobian_shape() const { return band.size > 0 ? band : MatrixShape::dense(size); }
+  /// Entries that are always 0 are written where the matrix is whole and not banded.
+  void jacobian(T t, const State& y, MatrixView<T> j) const {
+    if (j.stride == size)
+      jacobian_call(self, t, y.data(), j.data);
+    else
+      band_call(self, t, y.data(), j.data - band.upper);
+  }
+  void jacobian(T t, const State& y, InterleavedView<T> j) const {
+    band_call(self, t, y.data(), j.data - band.upper);
+  }
   void time_derivative(T t, const State& y, State& dfdt) const {
     time_derivative_call(self, t, y.data(), dfdt.data());
   }
@@ -72,6 +84,10 @@ class CountingSystem {
     out.jacobian_call = [](const void* p, T t, const T* y, T* j) {
       const auto& me = of(p);
       ++me.counts_.jacobian, me.inner_.jacobian_call(me.inner_.self, t, y, j);
+    };
+    out.band_call = [](const void* p, T t, const T* y, T* band) {
+      const auto& me = of(p);
+      ++me.counts_.jacobian, me.inner_.band_call(me.inner_.self, t, y, band);
     };
     // f on dual numbers: one evaluation
     out.time_derivative_call = [](const void* p, T t, const T* y, T* dfdt) {

@@ -27,7 +27,8 @@ class ExponentialStepper;
 template <std::size_t Stages, LinearPart Part = LinearPart::of_the_problem>
 struct ExponentialRungeKutta {
   static constexpr std::string_view kind_name = "exponential";
-  static constexpr unsigned needs = Part == LinearPart::of_the_problem ? unsigned(Ability::linear_part) : 0;
+  static constexpr unsigned needs =
+      Ability::moderate_size | (Part == LinearPart::of_the_problem ? unsigned(Ability::linear_part) : 0);
   static constexpr bool compiled_apart = true;  // its matrix functions: for real numbers only
   static constexpr std::size_t stages = Stages;
   static constexpr bool from_jacobian = Part == LinearPart::jacobian;

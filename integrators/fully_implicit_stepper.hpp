@@ -26,12 +26,13 @@ class FullyImplicitRungeKuttaStepper {
       : system_(system),
         size_(size_of(model)),
         tables_(StageTables<Real, S>::template of<method>()),
+        jacobian_(jacobian_shape(system, model)),
         real_lu_(make_all<real_modes, ShiftedLu<Real, Real, N>>()),
         pair_lu_(make_all<pairs, ShiftedLu<Real, PlainComplex<Real>, N>>()) {
     for (State* s : {&stage_, &weight_, &start_slope_, &increment_, &last_increment_, &spare_, &more_})
       *s = zeros_like(model);
     for (auto* all : {&z_, &w_, &f_, &r_, &last_z_}) all->fill(stage_);
-    if constexpr (N == 0) jacobian_.resize(size_ * size_), complex_.resize(size_);
+    if constexpr (N == 0) complex_.resize(size_);
   }
 
   void start() {
@@ -91,7 +92,7 @@ class FullyImplicitRungeKuttaStepper {
   template <std::size_t Count, class Lu>
   std::array<Lu, Count> make_all() const {
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return std::array<Lu, Count>{((void)I, Lu(size_))...};
+      return std::array<Lu, Count>{((void)I, Lu(jacobian_.shape()))...};
     }
     (std::make_index_sequence<Count>{});
   }
@@ -134,7 +135,7 @@ class FullyImplicitRungeKuttaStepper {
   }
 
   void refresh_jacobian(Real t, const State& y) {
-    evaluate_jacobian(system_, t, y, MatrixView<Real>{jacobian_.data(), size_}, spare_, more_, stage_);
+    evaluate_jacobian(system_, t, y, jacobian_, spare_, more_, stage_);
     jacobian_is_current_ = true;
     factored_h_ = 0;
   }
@@ -143,9 +144,9 @@ class FullyImplicitRungeKuttaStepper {
     factored_h_ = h;
     ++counts_.lu;
     for (std::size_t m = 0; m < real_modes; ++m)
-      if (tables_.shift_re[m] != 0) real_lu_[m].factorize(jacobian_.data(), tables_.shift_re[m] / h);
+      if (tables_.shift_re[m] != 0) real_lu_[m].factorize(jacobian_, tables_.shift_re[m] / h);
     for (std::size_t p = 0; p < pairs; ++p)
-      pair_lu_[p].factorize(jacobian_.data(),
+      pair_lu_[p].factorize(jacobian_,
                             {tables_.shift_re[real_modes + p] / h, tables_.shift_im[real_modes + p] / h});
   }
 
@@ -213,8 +214,7 @@ class FullyImplicitRungeKuttaStepper {
         constexpr std::size_t middle = S / 2;
         for_each_component(y,
                            [&](std::size_t n) { increment_.data()[n] = y.data()[n] + z_[middle].data()[n]; });
-        evaluate_jacobian(system_, t + tables_.c[middle] * h, increment_,
-                          MatrixView<Real>{jacobian_.data(), size_}, spare_, more_, stage_);
+        evaluate_jacobian(system_, t + tables_.c[middle] * h, increment_, jacobian_, spare_, more_, stage_);
         factored_h_ = 0;
         factorize(h);
         factored_h_ = 0;
@@ -282,9 +282,9 @@ class FullyImplicitRungeKuttaStepper {
   const P& system_;
   std::size_t size_;
   const StageTables<Real, S>& tables_;
+  JacobianMatrix<Real, N> jacobian_;
   std::array<ShiftedLu<Real, Real, N>, real_modes> real_lu_;
   std::array<ShiftedLu<Real, PlainComplex<Real>, N>, pairs> pair_lu_;
-  std::conditional_t<N == 0, std::vector<Real>, std::array<Real, N * N>> jacobian_{};
   std::conditional_t<N == 0, std::vector<PlainComplex<Real>>, std::array<PlainComplex<Real>, N>> complex_{};
   Stages z_, w_, f_, r_, last_z_;
   State stage_, weight_, start_slope_, increment_, last_increment_, spare_, more_;

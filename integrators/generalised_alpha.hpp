@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "integrators/dense_lu.hpp"
 #include "integrators/second_order_jacobian.hpp"
+#include "integrators/shifted_lu.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -73,7 +73,8 @@ class GeneralisedAlphaStepper {
       : system_(system),
         half_(size_of(model) / 2),
         jacobian_(system, model),
-        lu_(half_),
+        matrix_(jacobian_.block_shape()),
+        lu_(matrix_.shape()),
         look_(model),
         carried_(zeros_like(model)),
         new_(carried_),
@@ -133,19 +134,20 @@ class GeneralisedAlphaStepper {
       }
       system_.acceleration(t + share * h, look_, correction_.data());
       jacobian_.evaluate(t + share * h, look_);
+      const auto block = matrix_.view();
       Real size = std::numeric_limits<Real>::min(), terms = 0;  // sums, because std::max would swallow a NaN
       for (std::size_t r = 0; r < half_; ++r) {
         const Real force = beta * h / mass_new * (correction_[r] - mass_old * a[r]);
         correction_[r] = force - ((mean_[r] - v[r]) - h * early * a[r]);
-        for (std::size_t c = 0; c < half_; ++c) {
+        jacobian_.for_each_near(r, [&](std::size_t c) {
           const Real by_x = jacobian_.by_position(r, c), by_v = jacobian_.by_velocity(r, c);
-          lu_.jacobian()[c * half_ + r] = share / mass_new * (h * beta * by_x + gamma * by_v);
+          block(r, c) = share / mass_new * (h * beta * by_x + gamma * by_v);
           // what the force is the small difference of: its rounding is that of these
           terms += beta * std::abs(h) *
                    (std::abs(by_x * look_.data()[c]) + std::abs(by_v * look_.data()[half_ + c]));
-        }
+        });
       }
-      lu_.factorize(h);
+      lu_.factorize_step(matrix_, h);
       lu_.solve_in_place(correction_.data());
       ++counts_.lu, ++counts_.newton;
       Real moved = 0;
@@ -165,7 +167,8 @@ class GeneralisedAlphaStepper {
   const P& system_;
   std::size_t half_;
   SecondOrderJacobian<P> jacobian_;
-  DenseLu<Real> lu_;
+  JacobianMatrix<Real> matrix_;  // of the force for the mean velocity
+  ShiftedLu<Real> lu_;
   State look_, carried_, new_;
   std::vector<Real> mean_, correction_;
   bool known_ = false;

@@ -1,8 +1,8 @@
 // x = base + diagonal f(t, x) to the last digit: the equation of every one-stage implicit step.
 #pragma once
 
-#include "integrators/dense_lu.hpp"
 #include "integrators/jacobian.hpp"
+#include "integrators/shifted_lu.hpp"
 #include "integrators/stepper.hpp"
 
 namespace odemark {
@@ -16,12 +16,12 @@ class ImplicitEquation {
 
   ImplicitEquation(const P& system, const State& model)
       : system_(system),
-        size_(size_of(model)),
         slope_(model),
         correction_(model),
         spare_(model),
         moved_(model),
-        lu_(size_) {}
+        jacobian_(jacobian_shape(system, model)),
+        lu_(jacobian_.shape()) {}
 
   NewtonCounts counts() const { return counts_; }
 
@@ -38,8 +38,8 @@ class ImplicitEquation {
   static constexpr int most_iterations = 12;
 
   void refresh(Real t, const State& at, Real diagonal) {
-    evaluate_jacobian(system_, t, at, MatrixView<Real>{lu_.jacobian(), size_}, spare_, correction_, moved_);
-    lu_.factorize(diagonal);
+    evaluate_jacobian(system_, t, at, jacobian_, spare_, correction_, moved_);
+    lu_.factorize_step(jacobian_, diagonal);
     ++counts_.lu;
   }
 
@@ -73,9 +73,9 @@ class ImplicitEquation {
   }
 
   const P& system_;
-  std::size_t size_;
   State slope_, correction_, spare_, moved_;
-  DenseLu<Real> lu_;
+  JacobianMatrix<Real> jacobian_;
+  ShiftedLu<Real> lu_;
   NewtonCounts counts_;
 };
 

@@ -1,8 +1,8 @@
 // Implicit Euler on x'' = a(t, x, v) with one linear solve instead of an iteration.
 #pragma once
 
-#include "integrators/dense_lu.hpp"
 #include "integrators/second_order_jacobian.hpp"
+#include "integrators/shifted_lu.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -49,7 +49,8 @@ class LinearlyImplicitEulerStepper {
       : system_(system),
         half_(size_of(model) / 2),
         jacobian_(system, model),
-        lu_(half_),
+        matrix_(jacobian_.block_shape()),
+        lu_(matrix_.shape()),
         look_(model),
         change_(half_) {}
 
@@ -67,11 +68,14 @@ class LinearlyImplicitEulerStepper {
     jacobian_.evaluate(t + h, look_);
     if constexpr (!predicts)
       for (std::size_t i = 0; i < half_; ++i)
-        for (std::size_t j = 0; j < half_; ++j) change_[i] += h * jacobian_.by_position(i, j) * v[j];
-    for (std::size_t c = 0; c < half_; ++c)
-      for (std::size_t r = 0; r < half_; ++r)
-        lu_.jacobian()[c * half_ + r] = jacobian_.by_velocity(r, c) + h * jacobian_.by_position(r, c);
-    lu_.factorize(h);
+        jacobian_.for_each_near(i,
+                                [&](std::size_t j) { change_[i] += h * jacobian_.by_position(i, j) * v[j]; });
+    const auto block = matrix_.view();
+    for (std::size_t r = 0; r < half_; ++r)
+      jacobian_.for_each_near(r, [&](std::size_t c) {
+        block(r, c) = jacobian_.by_velocity(r, c) + h * jacobian_.by_position(r, c);
+      });
+    lu_.factorize_step(matrix_, h);
     ++counts_.lu;
     lu_.solve_in_place(change_.data());
     for (std::size_t i = 0; i < half_; ++i) {
@@ -85,7 +89,8 @@ class LinearlyImplicitEulerStepper {
   const P& system_;
   std::size_t half_;
   SecondOrderJacobian<P> jacobian_;
-  DenseLu<Real> lu_;
+  JacobianMatrix<Real> matrix_;
+  ShiftedLu<Real> lu_;
   State look_;
   std::vector<Real> change_;  // (v+ - v) / h
   NewtonCounts counts_;

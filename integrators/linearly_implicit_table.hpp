@@ -1,8 +1,8 @@
 // The linearly implicit Euler rule with First, First + 1, ... substeps, extrapolated in h row by row.
 #pragma once
 
-#include "integrators/dense_lu.hpp"
 #include "integrators/jacobian.hpp"
+#include "integrators/shifted_lu.hpp"
 #include "integrators/theory.hpp"
 
 namespace odemark {
@@ -27,13 +27,16 @@ class LinearlyImplicitTable {
   static constexpr int expansion_power = 1;
 
   LinearlyImplicitTable(const P& system, const State& model)
-      : system_(system), now_(model), move_(model), spare_(model), lu_(size_of(model)) {
+      : system_(system),
+        now_(model),
+        move_(model),
+        spare_(model),
+        jacobian_(jacobian_shape(system, model)),
+        lu_(jacobian_.shape()) {
     entries_.fill(model);
   }
 
-  void begin(Real t, const State& y) {
-    evaluate_jacobian(system_, t, y, MatrixView<Real>{lu_.jacobian(), size_of(y)}, now_, move_, spare_);
-  }
+  void begin(Real t, const State& y) { evaluate_jacobian(system_, t, y, jacobian_, now_, move_, spare_); }
   void always_go_on() { goes_on_ = true; }
   bool is_trusted() const { return trusted_; }
   NewtonCounts counts() const { return counts_; }
@@ -47,7 +50,7 @@ class LinearlyImplicitTable {
     const int count = substeps(row);
     const Real small = h / static_cast<Real>(count);
     if (row == 0) trusted_ = true;
-    lu_.factorize(small);
+    lu_.factorize_step(jacobian_, small);
     ++counts_.lu;
     now_ = y;
     for (int m = 1; m <= count; ++m) {
@@ -110,7 +113,8 @@ class LinearlyImplicitTable {
   const P& system_;
   State now_, move_, spare_;
   std::array<State, Rows> entries_;
-  DenseLu<Real> lu_;
+  JacobianMatrix<Real> jacobian_;
+  ShiftedLu<Real> lu_;
   NewtonCounts counts_;
   bool goes_on_ = false, trusted_ = true;
 };

@@ -3,7 +3,7 @@
 
 #include "integrators/jacobian.hpp"
 #include "integrators/rosenbrock_form.hpp"
-#include "integrators/small_lu.hpp"
+#include "integrators/shifted_lu.hpp"
 #include "integrators/theory.hpp"
 #include "integrators/time_derivative.hpp"
 
@@ -67,7 +67,8 @@ class RosenbrockStepper {
   RosenbrockStepper(const P& system, const State& model)
       : system_(system),
         autonomous_(is_autonomous(system)),
-        lu_(size_of(model)),
+        jacobian_(jacobian_shape(system, model)),
+        lu_(jacobian_.shape()),
         first_(blank_like(model)),
         slope_(blank_like(model)),
         stage_(blank_like(model)),
@@ -99,9 +100,9 @@ class RosenbrockStepper {
   }
   [[gnu::always_inline]] StepStatus take_step(Real t, const State& y, Real h, State& next, State& error) {
     if (!linearized_) linearize(t, y, h);
-    const bool before_pole = lu_.factorize(h * static_cast<Real>(form.diagonal));
+    lu_.factorize_step(jacobian_, h * static_cast<Real>(form.diagonal));
     ++factorizations_;
-    if (!before_pole) return StepStatus::newton_diverged;
+    if (!lu_.has_positive_determinant()) return StepStatus::newton_diverged;
     [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (evaluate_stage<I>(t, y, h), ...);
     }
@@ -151,7 +152,7 @@ class RosenbrockStepper {
 
   [[gnu::always_inline]] void linearize(Real t, const State& y, Real h) {
     if (!first_known_) system_.rhs(t, y, first_);
-    evaluate_jacobian(system_, t, y, MatrixView<Real>{lu_.jacobian(), size_of(y)}, slope_, stage_, moved_);
+    evaluate_jacobian(system_, t, y, jacobian_, slope_, stage_, moved_);
     if constexpr (form.needs_time_derivative())
       if (!autonomous_) evaluate_time_derivative(system_, t, h, y, first_, time_derivative_);
     first_known_ = linearized_ = true;
@@ -188,7 +189,8 @@ class RosenbrockStepper {
 
   const P& system_;
   bool autonomous_;
-  LuOfSize<Real, fixed_size<State>> lu_;
+  JacobianMatrix<Real, inlined_size<State>> jacobian_;
+  ShiftedLu<Real, Real, inlined_size<State>> lu_;
   std::array<State, method.stages> u_{};
   State first_, slope_, stage_, moved_, time_derivative_;
   bool linearized_ = false, first_known_ = false;

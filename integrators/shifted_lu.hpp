@@ -1,4 +1,5 @@
-// shift I - J, factored, for real and complex shifts: inlined for up to eight components, compiled once else.
+// shift I - J or I - diagonal J, factored: whole or banded, for real and complex shifts; inlined for up to
+// eight components, compiled once else.
 #pragma once
 
 #include <array>
@@ -7,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "integrators/jacobian.hpp"
 #include "integrators/plain_complex.hpp"
-#include "integrators/state.hpp"
 
 namespace odemark {
 
@@ -24,13 +25,27 @@ template <class Scalar, class Size>
     for (std::size_t i = k + 1; i < n; ++i)
       if (const auto m = magnitude_of(a[k * n + i]); m > largest) pivot = i, largest = m;
     row[k] = pivot;
-    if (pivot != k)
-      for (std::size_t j = 0; j < n; ++j) std::swap(a[j * n + k], a[j * n + pivot]);
+    if constexpr (std::is_same_v<Size, std::size_t>) {
+      if (pivot != k)
+        for (std::size_t j = 0; j < n; ++j) std::swap(a[j * n + k], a[j * n + pivot]);
+    } else {  // comparisons instead of an address keep the matrix in registers
+      for (std::size_t i = k + 1; i < n; ++i)
+        if (i == pivot)
+          for (std::size_t j = 0; j < n; ++j) std::swap(a[j * n + k], a[j * n + i]);
+    }
     reciprocal[k] = reciprocal_of(a[k * n + k]);
-    for (std::size_t i = k + 1; i < n; ++i) a[k * n + i] = a[k * n + i] * reciprocal[k];
-    for (std::size_t j = k + 1; j < n; ++j) {
-      const Scalar factor = a[j * n + k];
-      for (std::size_t i = k + 1; i < n; ++i) a[j * n + i] = a[j * n + i] - a[k * n + i] * factor;
+    if constexpr (std::is_same_v<Size, std::size_t>) {
+      for (std::size_t i = k + 1; i < n; ++i) a[k * n + i] = a[k * n + i] * reciprocal[k];
+      for (std::size_t j = k + 1; j < n; ++j) {
+        const Scalar factor = a[j * n + k];
+        for (std::size_t i = k + 1; i < n; ++i) a[j * n + i] = a[j * n + i] - a[k * n + i] * factor;
+      }
+    } else {
+      for (std::size_t i = k + 1; i < n; ++i) {
+        const Scalar factor = a[k * n + i] * reciprocal[k];
+        a[k * n + i] = factor;
+        for (std::size_t j = k + 1; j < n; ++j) a[j * n + i] = a[j * n + i] - factor * a[j * n + k];
+      }
     }
   }
 }
@@ -41,7 +56,7 @@ template <class Scalar, class Size>
   for (std::size_t k = 0; k < n; ++k) {
     if constexpr (std::is_same_v<Size, std::size_t>) {
       std::swap(b[k], b[row[k]]);
-    } else {  // comparisons instead of an address keep b in registers
+    } else {
       for (std::size_t i = k + 1; i < n; ++i)
         if (row[k] == i) std::swap(b[k], b[i]);
     }
@@ -53,6 +68,17 @@ template <class Scalar, class Size>
     for (std::size_t i = 0; i < k; ++i) b[i] = b[i] - a[k * n + i] * b[k];
   }
 }
+/// Is the determinant positive, as that of I - diagonal J is for short steps?
+template <class Real>
+[[gnu::always_inline]] inline bool lu_is_positive(const Real* reciprocal, const std::size_t* row,
+                                                  std::size_t size) {
+  bool is_positive = true;
+  for (std::size_t k = 0; k < size; ++k) {
+    is_positive = is_positive != (row[k] != k);
+    is_positive = is_positive != (reciprocal[k] < 0);
+  }
+  return is_positive;
+}
 /// Column-major `out` = shift I - jacobian.
 template <class Real, class Scalar, class Size>
 [[gnu::always_inline]] inline void shift_matrix(const Real* jacobian, Scalar shift, Scalar* out, Size size) {
@@ -60,21 +86,36 @@ template <class Real, class Scalar, class Size>
   for (std::size_t i = 0; i < n * n; ++i) out[i] = Scalar{-jacobian[i]};
   for (std::size_t i = 0; i < n; ++i) out[i * n + i] = shift + out[i * n + i];
 }
+/// Column-major `out` = I - diagonal jacobian.
+template <class Real, class Scalar, class Size>
+[[gnu::always_inline]] inline void step_matrix(const Real* jacobian, Scalar diagonal, Scalar* out,
+                                               Size size) {
+  const std::size_t n = size;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i)
+      out[j * n + i] = Scalar{Real(i == j ? 1 : 0)} - diagonal * Scalar{jacobian[j * n + i]};
+}
 
-/// The size to compile for: that of a small array, else 0 for a size known at run time.
-template <class S>
-inline constexpr std::size_t inlined_size = fixed_size<S> <= 8 ? fixed_size<S> : 0;
-
-/// Scalar is Real or PlainComplex<Real>. `jacobian` is column-major, size x size.
-template <class Real, class Scalar, std::size_t N>
+/// Scalar is Real or PlainComplex<Real>. A singular matrix gives infinities and NaN, which the step passes
+/// on.
+template <class Real, class Scalar = Real, std::size_t N = 0>
 class ShiftedLu {
  public:
-  explicit ShiftedLu(std::size_t) {}
-  void factorize(const Real* jacobian, Scalar shift) {
-    shift_matrix(jacobian, shift, matrix_.data(), Size{});
+  explicit ShiftedLu(const MatrixShape&) {}
+  /// Of shift I - jacobian.
+  void factorize(const JacobianMatrix<Real, N>& jacobian, Scalar shift) {
+    shift_matrix(jacobian.data(), shift, matrix_.data(), Size{});
     lu_factorize(matrix_.data(), reciprocal_.data(), row_.data(), Size{});
   }
-  void solve_in_place(Scalar* b) const {
+  /// Of I - diagonal jacobian.
+  [[gnu::always_inline]] void factorize_step(const JacobianMatrix<Real, N>& jacobian, Scalar diagonal) {
+    step_matrix(jacobian.data(), diagonal, matrix_.data(), Size{});
+    lu_factorize(matrix_.data(), reciprocal_.data(), row_.data(), Size{});
+  }
+  [[gnu::always_inline]] bool has_positive_determinant() const {
+    return lu_is_positive(reciprocal_.data(), row_.data(), N);
+  }
+  [[gnu::always_inline]] void solve_in_place(Scalar* b) const {
     lu_solve(matrix_.data(), reciprocal_.data(), row_.data(), b, Size{});
   }
 
@@ -85,16 +126,26 @@ class ShiftedLu {
   std::array<std::size_t, N> row_;
 };
 
+/// The same for a size and shape known at run time. A banded matrix is stored with room for the rows that
+/// pivoting moves up: element (i, j) at j (2 lower + upper + 1) + lower + upper + i - j.
 template <class Real, class Scalar>
 class ShiftedLu<Real, Scalar, 0> {
  public:
-  explicit ShiftedLu(std::size_t size);
-  void factorize(const Real* jacobian, Scalar shift);
-  void solve_in_place(Scalar* b) const;
+  explicit ShiftedLu(const MatrixShape& shape);
+  void factorize(const JacobianMatrix<Real>& jacobian, Scalar shift);
+  void factorize_step(const JacobianMatrix<Real>& jacobian, Scalar diagonal);
+  template <class = void>  // of real matrices only, so compiled where it is asked for
+  bool has_positive_determinant() const {
+    return lu_is_positive(reciprocal_.data(), row_.data(), shape_.size);
+  }
+  void solve_in_place(Scalar* b);
 
  private:
-  std::size_t size_;
+  void factorize_matrix();
+
+  MatrixShape shape_;
   std::vector<Scalar> matrix_, reciprocal_;
+  std::vector<Scalar> shuffled_;  // a right-hand side in the order of the band
   std::vector<std::size_t> row_;
 };
 

@@ -5,17 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "integrators/matrix_shape.hpp"
 #include "integrators/state.hpp"
 
 namespace odemark {
-
-/// Square, column-major view that a problem writes its Jacobian into: J(row, column) = df_row/dy_column.
-template <class Real>
-struct MatrixView {
-  Real* data;
-  std::size_t size;
-  Real& operator()(std::size_t row, std::size_t column) const { return data[column * size + row]; }
-};
 
 /// dy/dt = f(t, y). `rhs` overwrites dydt; it neither allocates, nor keeps references.
 template <class P>
@@ -65,6 +58,11 @@ concept RotatingSystem = System<P> &&
   p.torque(t, y, out);
 };
 
+/// Up to here whole matrices are affordable: 32 MB each.
+inline constexpr std::size_t largest_moderate_size = 2000;
+/// Up to here recordings and their Taylor series are: a hundred numbers for every operation.
+inline constexpr std::size_t largest_recorded_size = 20'000;
+
 /// What a problem can do beyond `rhs`, and so what a method may need. Bits, because where types are erased a
 /// pair is decided at run time.
 enum Ability : unsigned {
@@ -75,6 +73,7 @@ enum Ability : unsigned {
   separable = 16,
   double_precision = 32,
   rotation = 64,
+  moderate_size = 128,
 };
 
 /// The sentence for the first ability that is needed and not had; empty where the pair can run.
@@ -89,6 +88,8 @@ inline std::string_view missing_ability(unsigned needed, unsigned had) {
   if (missing & Ability::rotation)
     return "needs a rigid body: angular velocity, attitude, inertia and torque";
   if (missing & Ability::double_precision) return "computes in double precision only";
+  if (missing & Ability::moderate_size)
+    return "computes with whole matrices: takes no more than 2000 components";
   return "";
 }
 

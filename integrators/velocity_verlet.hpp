@@ -2,9 +2,8 @@
 // in.
 #pragma once
 
-#include "integrators/dense_lu.hpp"
-#include "integrators/jacobian.hpp"
 #include "integrators/theory.hpp"
+#include "integrators/velocity_block_lu.hpp"
 
 namespace odemark {
 
@@ -51,9 +50,7 @@ class VelocityVerletStepper {
         a_(zeros_like(model)),
         b_(a_),
         moved_(model),
-        scratch_{a_, a_, a_},
-        full_(size_of(model)),
-        velocity_block_(half_) {}
+        solver_(system, model) {}
 
   void start() {}
   void accept() {}
@@ -83,17 +80,12 @@ class VelocityVerletStepper {
   bool solve_velocity(Real t, const State& y, Real h) {
     Real previous = std::numeric_limits<Real>::infinity();
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
-      evaluate_jacobian(system_, t, moved_, MatrixView<Real>{full_.jacobian(), 2 * half_}, scratch_[0],
-                        scratch_[1], scratch_[2]);
-      const MatrixView<Real> all{full_.jacobian(), 2 * half_}, block{velocity_block_.jacobian(), half_};
-      for (std::size_t r = 0; r < half_; ++r)
-        for (std::size_t c = 0; c < half_; ++c) block(r, c) = all(half_ + r, half_ + c);
-      velocity_block_.factorize(h / 2);
+      solver_.factorize(t, moved_, h / 2);
       ++counts_.lu, ++counts_.newton;
       system_.acceleration(t, moved_, b_.data());
       for (std::size_t i = 0; i < half_; ++i)
         b_.data()[i] = y.data()[half_ + i] + h / 2 * (a_.data()[i] + b_.data()[i]) - moved_.data()[half_ + i];
-      velocity_block_.solve_in_place(b_.data());
+      solver_.solve_in_place(b_.data());
       Real moved = 0, size = std::numeric_limits<Real>::min();
       for (std::size_t i = 0; i < half_; ++i) {
         moved_.data()[half_ + i] += b_.data()[i];
@@ -113,13 +105,11 @@ class VelocityVerletStepper {
   const P& system_;
   std::size_t half_;
   State a_, b_, moved_;
-  std::array<State, 3> scratch_;
-  struct NoMatrix {
-    explicit NoMatrix(std::size_t) {}
+  struct NoSolver {
+    NoSolver(const P&, const State&) {}
   };
-  using Matrix =
-      std::conditional_t<method.velocity == VelocityVerlet::Velocity::implicit, DenseLu<Real>, NoMatrix>;
-  Matrix full_, velocity_block_;
+  std::conditional_t<method.velocity == VelocityVerlet::Velocity::implicit, VelocityBlockLu<P>, NoSolver>
+      solver_;
   NewtonCounts counts_;
 };
 

@@ -14,6 +14,7 @@ namespace odemark {
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
   bool open_below = false, open_above = false;
+  bool whole = false;  // a count
 };
 inline constexpr Range any_number{};
 inline constexpr Range positive{.lowest = 0, .open_below = true};
@@ -42,6 +43,12 @@ struct Component {
 /// A named set of parameters, written as a user would set them: "e=0.6,t_end=20".
 struct Preset {
   std::string_view id, settings, about;
+};
+
+/// How far from the diagonal a Jacobian has entries; of a second-order problem: how far apart masses feel
+/// each other's position and velocity. What lies outside is never written.
+struct Bandwidth {
+  std::size_t lower, upper;
 };
 
 /// Amplitude and phase angle (radians, growing with time) of a state on an oscillation.

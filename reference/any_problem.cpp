@@ -4,6 +4,23 @@
 
 namespace odemark {
 
+ComponentNames numbered_components(std::span<const Component> groups, std::size_t size) {
+  const std::size_t each = size / groups.size();
+  std::string letters;
+  std::vector<std::size_t> ends;
+  for (const Component& group : groups)
+    for (std::size_t i = 1; i <= each; ++i) {
+      letters += group.name;
+      letters += std::to_string(i);
+      ends.push_back(letters.size());
+    }
+  ComponentNames names{std::make_shared<const std::string>(std::move(letters)), {}};
+  const std::string_view text = *names.letters;
+  for (std::size_t i = 0, begin = 0; i < ends.size(); begin = ends[i++])
+    names.all.push_back({text.substr(begin, ends[i] - begin), groups[i / each].unit});
+  return names;
+}
+
 std::vector<std::string> problem_ids(const std::vector<AnyFamily>& families) {
   std::vector<std::string> ids;
   for (const auto& family : families)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -12,6 +13,17 @@
 #include "reference/settings.hpp"
 
 namespace odemark {
+
+/// Components whose names may be made at run time; `letters` holds those.
+struct ComponentNames {
+  std::shared_ptr<const std::string> letters;
+  std::vector<Component> all;
+};
+/// stem1, stem2, ... of every group, each an equal part of `size`.
+ComponentNames numbered_components(std::span<const Component> groups, std::size_t size);
+
+/// Above this many components a solution is compared at some of them and at its end alone.
+inline constexpr std::size_t largest_compared_size = 256;
 
 struct ParameterInfo {
   std::string_view name, unit, meaning;
@@ -46,7 +58,8 @@ struct AnyProblem {
   /// Linear families: the same problem with every drive removed, so that 0 is a fixed point.
   std::shared_ptr<const AnyProblem> homogeneous;
 
-  std::size_t size() const { return components.size(); }
+  std::size_t size() const { return initial.size(); }
+  bool is_large() const { return size() > largest_compared_size; }
   /// One smooth piece: nothing switches and nothing happens.
   bool smooth() const { return switch_times.empty() && event_names.empty(); }
   /// Valid as long as this problem or a copy of it lives. T is float, double or long double.

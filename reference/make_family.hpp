@@ -4,89 +4,11 @@
 #include <algorithm>
 #include <exception>
 
-#include "integrators/dual.hpp"
 #include "reference/any_problem.hpp"
 #include "reference/configure.hpp"
+#include "reference/dual_jacobian.hpp"
 
 namespace odemark {
-
-template <class F>
-concept HasAcceleration = requires(const F& f, double t, const double* y, double* a) {
-  f.acceleration(t, y, a);
-};
-template <class F>
-concept HasWrittenJacobian = requires(const F& f, double t, const double* y, MatrixView<double> j) {
-  f.jacobian(t, y, j);
-};
-template <class F>
-concept HasLinear = requires(const F& f, MatrixView<double> l) {
-  f.template linear_part<double>(l);
-};
-template <class F>
-concept HasExact = requires(const F& f, long double t, const long double* y0, long double* y) {
-  f.exact(t, y0, y);
-};
-
-/// The right-hand side jumps at given times.
-template <class F>
-concept HasSwitches = requires(const F& f) {
-  f.switch_times();
-};
-/// The state decides when something happens.
-template <class F>
-concept HasEvents = requires(const F& f, double t, const double* y, double* g) {
-  F::events;
-  f.event_values(t, y, g);
-};
-/// And then the state or the phase changes.
-template <class F>
-concept HasJumps = HasEvents<F> && requires(const F& f, double t, double* y) {
-  f.after_event(std::size_t(0), t, y);
-};
-template <class F>
-concept HasRotation = requires(const F& f, double t, const double* y, double* out) {
-  f.inertia(out);
-  f.torque(t, y, out);
-};
-
-template <class F>
-constexpr unsigned abilities_of() {
-  unsigned abilities = Ability::jacobian | Ability::recordable | Ability::double_precision;
-  if constexpr (HasAcceleration<F>) {
-    abilities |= Ability::second_order;
-    if (!F::force_depends_on_velocity) abilities |= Ability::separable;
-  }
-  if constexpr (HasLinear<F>) abilities |= Ability::linear_part;
-  if constexpr (HasRotation<F>) {
-    static_assert(F::size == 7, "rotation methods advance the seven numbers of one body and nothing else");
-    abilities |= Ability::rotation;
-  }
-  // a right-hand side that switches at given times is no single piece of straight-line code
-  if constexpr (HasSwitches<F>) abilities &= ~unsigned(Ability::recordable);
-  return abilities;
-}
-
-/// The Jacobian by dual numbers: what a hand-written one is tested against, and what stands in for a missing
-/// one.
-template <class T, class F>
-void dual_jacobian(const F& family, T t, const T* y, MatrixView<T> j) {
-  using Number = Dual<T, F::size>;
-  std::array<Number, F::size> state, slope;
-  for (std::size_t i = 0; i < F::size; ++i) state[i] = Number::variable(y[i], i);
-  family.rhs(Number(t), state.data(), slope.data());
-  for (std::size_t row = 0; row < F::size; ++row)
-    for (std::size_t column = 0; column < F::size; ++column) j(row, column) = slope[row].partial[column];
-}
-
-/// df/dt by dual numbers.
-template <class T, class F>
-void dual_time_derivative(const F& family, T t, const T* y, T* dfdt) {
-  using Number = Dual<T, 1>;
-  std::array<Number, F::size> state, slope;
-  for (std::size_t i = 0; i < F::size; ++i) state[i] = Number(y[i]);
-  family.rhs(Number::variable(t, 0), state.data(), slope.data());
-  for (std::size_t i = 0; i < F::size; ++i) dfdt[i] = slope[i].partial[0];
-}
 
 /// Known not to depend on t: what can be recorded has no branches, so one recording tells for all times.
 template <class F>
@@ -96,7 +18,7 @@ bool is_autonomous_family() {
   } else {
     static const bool known = [] {
       try {
-        return !reads_time(record<double>(F{}, F::size));
+        return !reads_time(record<double>(F{}, size_of_family(F{})));
       } catch (const std::exception&) {
         return false;  // a force that throws while it is recorded
       }
@@ -105,12 +27,20 @@ bool is_autonomous_family() {
   }
 }
 
+/// Column-major storage of a family's size; zeros where a banded family writes nothing.
+template <class T, class F>
+MatrixView<T> whole_matrix(const F& family, T* column_major) {
+  const std::size_t size = size_of_family(family);
+  if constexpr (HasBand<F>) std::fill_n(column_major, size * size, T(0));
+  return {column_major, size};
+}
+
 template <class T, class F>
 ErasedSystem<T> erase(const F& family) {
   ErasedSystem<T> s;
   s.self = &family;
-  s.size = F::size;
-  s.abilities = abilities_of<F>();
+  s.size = size_of_family(family);
+  s.abilities = abilities_of(family);
   s.rhs_call = [](const void* p, T t, const T* y, T* dydt) { static_cast<const F*>(p)->rhs(t, y, dydt); };
   if constexpr (HasAcceleration<F>) {
     s.velocity_dependent = F::force_depends_on_velocity;
@@ -126,21 +56,37 @@ ErasedSystem<T> erase(const F& family) {
     };
   }
   s.jacobian_call = [](const void* p, T t, const T* y, T* column_major) {
-    const MatrixView<T> j{column_major, F::size};
+    const MatrixView<T> j = whole_matrix<T>(*static_cast<const F*>(p), column_major);
     if constexpr (HasWrittenJacobian<F>)
       static_cast<const F*>(p)->jacobian(t, y, j);
     else
       dual_jacobian(*static_cast<const F*>(p), t, y, j);
   };
+  if constexpr (HasBand<F>) {
+    static_assert(HasWrittenJacobian<F>, "a banded Jacobian is written by hand");
+    if (const MatrixShape shape = shape_of_family(family); !shape.is_dense()) s.band = shape;
+    s.band_call = [](const void* p, T t, const T* y, T* band) {
+      const F& self = *static_cast<const F*>(p);
+      const MatrixShape shape = shape_of_family(self);
+      if constexpr (HasAcceleration<F>)
+        self.jacobian(t, y, interleaved_view_of(shape, band));
+      else
+        self.jacobian(t, y, view_of(shape, band));
+    };
+  }
   s.autonomous = is_autonomous_family<F>();
   s.time_derivative_call = [](const void* p, T t, const T* y, T* dfdt) {
     dual_time_derivative(*static_cast<const F*>(p), t, y, dfdt);
   };
   if constexpr (HasLinear<F>)
     s.linear_part_call = [](const void* p, T* column_major) {
-      static_cast<const F*>(p)->template linear_part<T>(MatrixView<T>{column_major, F::size});
+      const F& self = *static_cast<const F*>(p);
+      self.template linear_part<T>(whole_matrix<T>(self, column_major));
     };
-  s.record_call = [](const void* p) { return record<T>(*static_cast<const F*>(p), F::size); };
+  s.record_call = [](const void* p) {
+    const F& self = *static_cast<const F*>(p);
+    return record<T>(self, size_of_family(self));
+  };
   return s;
 }
 
@@ -190,25 +136,35 @@ Pieces<T> pieces_of(const F& family, const std::vector<F>& phases) {
   return pieces;
 }
 
+/// A family of run-time size names groups of components: x1, x2, ..., v1, v2, ... of x and v.
+template <class F>
+ComponentNames component_names(const F& family) {
+  if constexpr (HasRunTimeSize<F>)
+    return numbered_components(F::component_groups, family.size());
+  else
+    return {{}, {F::components.begin(), F::components.end()}};
+}
+
 template <class F>
 AnyProblem make_problem(const F& values, const Preset& preset, const std::vector<Setting>& user) {
   AnyProblem problem;
   name_problem(problem, preset, user);
   problem.family = F::id, problem.title = F::title, problem.equations = F::equations,
   problem.source = F::source;
-  problem.components.assign(F::components.begin(), F::components.end());
   for (const auto& p : F::parameters())
     problem.parameters.push_back({p.name, p.unit, p.meaning, p.range, values.*p.member, false});
   struct Held {
     F value;
     std::vector<F> phases;
+    ComponentNames components;
   };
-  const auto held = std::make_shared<const Held>(Held{values, phases_of(values)});
+  const auto held = std::make_shared<const Held>(Held{values, phases_of(values), component_names(values)});
+  problem.components = held->components.all;
   const F* owned = &held->value;
   problem.value = std::shared_ptr<const void>(held, owned);
   problem.t_end = owned->t_end;
   problem.suggested_dt = owned->suggested_dt();
-  problem.initial.resize(F::size);
+  problem.initial.resize(size_of_family(*owned));
   owned->initial(problem.initial.data());
   const auto scale = owned->scale();
   problem.scale.assign(scale.begin(), scale.end());
@@ -226,7 +182,7 @@ AnyProblem make_problem(const F& values, const Preset& preset, const std::vector
     problem.oscillation_call = [](const void* p, const double* y) {
       return static_cast<const F*>(p)->oscillation(y);
     };
-  problem.abilities = abilities_of<F>();
+  problem.abilities = abilities_of(*owned);
   problem.has_exact = HasExact<F>;
   problem.has_written_jacobian = HasWrittenJacobian<F>;
   problem.systems = {erase<float>(*owned), erase<double>(*owned), erase<long double>(*owned)};
@@ -249,7 +205,8 @@ AnyFamily make_family() {
   using F = Family<double>;
   AnyFamily family;
   family.id = F::id, family.title = F::title, family.equations = F::equations, family.source = F::source;
-  family.components.assign(F::components.begin(), F::components.end());
+  static const ComponentNames components = component_names(F{});
+  family.components = components.all;
   family.presets.assign(F::presets.begin(), F::presets.end());
   const F defaults{};
   for (const auto& p : F::parameters())
@@ -260,7 +217,7 @@ AnyFamily make_family() {
   if constexpr (requires { F::invariant_names; })
     family.invariant_names.assign(F::invariant_names.begin(), F::invariant_names.end());
   if constexpr (HasEvents<F>) family.event_names.assign(F::events.begin(), F::events.end());
-  family.abilities = abilities_of<F>();
+  family.abilities = abilities_of(F{});
   family.has_exact = HasExact<F>;
   family.create = create_problem<F>;
   return family;

@@ -16,14 +16,16 @@ inline Wide parse_wide(std::string_view, std::string_view text) {
 template <class F>
 WideProblem make_wide_problem(std::shared_ptr<const F> values) {
   WideProblem problem;
-  problem.size = F::size;
+  const std::size_t size = size_of_family(*values);
+  problem.size = size;
   problem.t_end = Wide(values->t_end);
-  problem.initial.resize(F::size);
+  problem.initial.resize(size);
   problem.rhs = [](const void* p, const Wide& t, const Wide* y, Wide* dydt) {
     static_cast<const F*>(p)->rhs(t, y, dydt);
   };
   problem.jacobian = [](const void* p, const Wide& t, const Wide* y, Wide* column_major) {
-    dual_jacobian(*static_cast<const F*>(p), t, y, MatrixView<Wide>{column_major, F::size});
+    const F& self = *static_cast<const F*>(p);
+    dual_jacobian(self, t, y, MatrixView<Wide>{column_major, size_of_family(self)});
   };
   if constexpr (requires(const Wide& t, Wide* y) { values->exact(t, y, y); })
     problem.exact = [](const void* p, const Wide& t, const Wide* y0, Wide* y) {
@@ -37,9 +39,9 @@ WideProblem make_wide_problem(std::shared_ptr<const F> values) {
     for (const auto& t : values->switch_times()) problem.switch_times.emplace_back(t);
   for (const F& phase : phases_of(*values)) {
     const auto held = std::make_shared<const F>(phase);
-    problem.phases.push_back({held, record<Wide>(*held, F::size)});
+    problem.phases.push_back({held, record<Wide>(*held, size)});
   }
-  if (problem.phases.empty()) problem.phases.push_back({values, record<Wide>(*values, F::size)});
+  if (problem.phases.empty()) problem.phases.push_back({values, record<Wide>(*values, size)});
   if constexpr (HasEvents<F>) {
     problem.events.count = F::events.size();
     problem.events.look_every = Wide(values->suggested_dt());
@@ -48,8 +50,8 @@ WideProblem make_wide_problem(std::shared_ptr<const F> values) {
     };
     if constexpr (requires(const Wide& t, Wide* y) { values->exact(t, y, y); })
       problem.exact_events = [](const void* p, const Wide& t, const Wide* y0, std::vector<WideEvent>& found) {
-        Wide y[F::size];
-        static_cast<const F*>(p)->exact(t, y0, y, [&](std::size_t event, const Wide& at) {
+        std::vector<Wide> y(size_of_family(*static_cast<const F*>(p)));
+        static_cast<const F*>(p)->exact(t, y0, y.data(), [&](std::size_t event, const Wide& at) {
           found.push_back({event, 0, at});
         });
       };
@@ -88,6 +90,16 @@ WideFamily make_wide_family() {
     values->initial(wide.initial.data());
     return wide;
   };
+  using F = Family<double>;
+  if constexpr (requires(const F& f, const Wide& t, Wide* y) { f.exact_at(t, {}, y); })
+    family.sampled = [](const AnyProblem& problem, const Wide& t, const std::vector<std::size_t>& places) {
+      const F& values = *static_cast<const F*>(problem.value.get());
+      SampledSolution out{std::vector<Wide>(places.size()), {}, {}};
+      values.exact_at(t, places, out.y.data());
+      for (const std::size_t place : places)
+        out.spread.push_back(values.spread(place)), out.reach.push_back(values.reach(place));
+      return out;
+    };
   return family;
 }
 

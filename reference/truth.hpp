@@ -21,7 +21,7 @@ struct TruthValue {
 
 struct TruthPoint {
   double t = 0;
-  std::vector<TruthValue> values;  // one per component
+  std::vector<TruthValue> values;  // one per component, or per one of Truth::places
   int digits = 0;                  // certified digits of the worst component, in units of the problem's scale
   /// Largest change of a component, in units of its scale, when one component of y(0) moves by one ulp of
   /// double (a component that starts at 0: by one ulp of its scale). No double integrator can be expected to
@@ -45,8 +45,9 @@ struct Truth {
   bool stored = false;  // read from the stored solutions
   double seconds = 0;   // spent to compute it
   int digits = 0;       // of the worst point
-  std::vector<TruthPoint> points;  // ascending in t
-  std::vector<TruthEvent> events;  // all up to the last point, in order
+  std::vector<TruthPoint> points;   // ascending in t
+  std::vector<TruthEvent> events;   // all up to the last point, in order
+  std::vector<std::size_t> places;  // the components that `values` are of; empty: all
 
   const TruthPoint& last() const { return points.back(); }
 };
@@ -86,8 +87,9 @@ std::vector<double> common_times(const AnyProblem& problem);
 std::shared_ptr<const Truth> stored_truth_of(const AnyProblem& problem);
 
 /// The truth on the common grid, for inputs rounded to double: stored if the problem is a preset as it was
-/// when the solution was made; else its closed form; else certified now to 25 digits. Computed once; any
-/// thread may ask. Throws TruthUnavailable.
+/// when the solution was made; else its closed form; else certified now to 25 digits. Of a large problem: its
+/// closed form at the end of the interval and at some components. Computed once; any thread may ask. Throws
+/// TruthUnavailable.
 std::shared_ptr<const Truth> truth_of(const AnyProblem& problem);
 
 }  // namespace odemark

@@ -91,6 +91,11 @@ std::string short_number(double x) {
 }  // namespace
 
 WideProblem widened(const AnyProblem& problem, bool exact_inputs) {
+  if (problem.is_large())
+    throw TruthUnavailable(problem.id + " has " + std::to_string(problem.size()) +
+                               " components: in fifty digits at most " +
+                               std::to_string(largest_compared_size) + " are solved for",
+                           0);
   for (const auto& family : suite_wide_families())
     if (family.id == problem.family)
       return exact_inputs ? family.as_written(problem) : family.rounded(problem);

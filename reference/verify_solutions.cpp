@@ -65,6 +65,7 @@ std::vector<Candidate> chosen(const std::vector<AnyFamily>& families, const Veri
   std::vector<Candidate> all;
   for (const auto& id : request.presets.empty() ? problem_ids(families) : request.presets) {
     Candidate candidate{find_problem(families, id), stored_text(id), all.size()};
+    if (request.presets.empty() && candidate.problem.is_large()) continue;  // nothing is stored of those
     if (request.within && stored_seconds(candidate.json) > *request.within) continue;
     all.push_back(std::move(candidate));
   }

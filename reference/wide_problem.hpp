@@ -47,12 +47,22 @@ struct WideProblem {
   void (*invariants)(const void*, const Wide* y, Wide* out) = nullptr;  // null: none known
 };
 
+/// A closed form at some components, of a state that starts as the family says to the last digit.
+struct SampledSolution {
+  std::vector<Wide> y;
+  /// How far each moves at most where every component of the initial state moves by at most 1, or one does.
+  std::vector<double> spread, reach;
+};
+
 struct WideFamily {
   std::string_view id;
   /// The problem that a double integrator sees: parameters and initial state rounded to double, then exact.
   WideProblem (*rounded)(const AnyProblem&) = nullptr;
   /// The problem as written: every decimal of the settings at its full value. Throws BadInput like `create`.
   WideProblem (*as_written)(const AnyProblem&) = nullptr;
+  /// Null where the closed form needs the whole state.
+  SampledSolution (*sampled)(const AnyProblem&, const Wide& t,
+                             const std::vector<std::size_t>& places) = nullptr;
 };
 
 const std::vector<WideFamily>& suite_wide_families();

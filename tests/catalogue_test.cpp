@@ -114,9 +114,11 @@ TEST(Catalogue, PresetsAreNamedOnceAndSound) {
 
 /// An equation edited after its solution was stored would be compared with nothing.
 TEST(Catalogue, StoredSolutionsBelongToTheirPresets) {
-  for (const auto& id : problem_ids(suite_families()))
-    EXPECT_NE(stored_truth_of(find_problem(suite_families(), id)), nullptr)
+  for (const auto& id : problem_ids(suite_families())) {
+    const auto problem = find_problem(suite_families(), id);
+    EXPECT_EQ(stored_truth_of(problem) != nullptr, !problem.is_large())
         << id << ": make it again with odemark_make_solutions";
+  }
   EXPECT_EQ(stored_truth_of(find_problem(suite_families(), "kepler_e06", "e=0.61")), nullptr);
 }
 

@@ -106,7 +106,7 @@ TEST(contestants, fixed_steps_have_the_claimed_order_and_the_exceptions_are_name
 
 TEST(contestants, theory_is_what_one_step_does) {
   Erased decay;
-  decay.size = 1, decay.abilities = Ability::jacobian;
+  decay.size = 1, decay.abilities = Ability::jacobian | Ability::moderate_size;
   decay.rhs_call = [](const void*, double, const double* y, double* d) { d[0] = -0.7 * y[0]; };
   decay.jacobian_call = [](const void*, double, const double*, double* j) { j[0] = -0.7; };
   const auto value = [](const std::vector<Coefficient>& polynomial, Coefficient z) {
@@ -237,7 +237,7 @@ TEST(contestants, counters_are_the_solvers_own) {
   using namespace contestant;
   const Erased system = driven();
   SundialsContext context;
-  SundialsProblem problem{Callee(system)};
+  SundialsProblem problem(system);
   std::vector<double> start{0, 1}, absolute{1e-6, 1e-6};
   const auto y = context.view(start), tolerances = context.view(absolute);
   void* cvode = CVodeCreate(CV_BDF, context);

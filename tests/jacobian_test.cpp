@@ -111,10 +111,11 @@ TEST(Jacobian, TheSameInEveryNumberType) {
     std::vector<double> j(n * n);
     std::vector<long double> wider(n * n);
     const auto place = places_of(problem, 2).back();
-    problem.system<float>().jacobian(float(place.t), converted<float>(place.y), {narrow.data(), n});
-    problem.system<double>().jacobian(place.t, place.y, {j.data(), n});
+    problem.system<float>().jacobian(float(place.t), converted<float>(place.y),
+                                     MatrixView<float>{narrow.data(), n});
+    problem.system<double>().jacobian(place.t, place.y, MatrixView<double>{j.data(), n});
     problem.system<long double>().jacobian(static_cast<long double>(place.t), converted<long double>(place.y),
-                                           {wider.data(), n});
+                                           MatrixView<long double>{wider.data(), n});
     for (std::size_t i = 0; i < n * n; ++i) {
       EXPECT_NEAR(double(narrow[i]), j[i], 2e-3 * (1e-3 + std::abs(j[i]))) << problem.id;
       EXPECT_NEAR(double(wider[i]), j[i], 1e-12 * (1e-3 + std::abs(j[i]))) << problem.id;

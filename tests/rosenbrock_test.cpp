@@ -178,39 +178,5 @@ TEST(Rosenbrock, ATimeDerivativeCountsAsOneEvaluation) {
   }
 }
 
-TEST(SmallLu, SolvesWithPivotsInEitherForm) {
-  constexpr std::size_t n = 3;
-  const double jacobian[9] = {2, 1, -4, 5, 2, 1, -3, 7, 0.25};  // 1 - 0.5 * 2 = 0: the first pivot must move
-  SmallLu<double, n> fixed(n);
-  SmallLu<double, 0> dynamic(n);
-  std::copy(jacobian, jacobian + 9, fixed.jacobian());
-  std::copy(jacobian, jacobian + 9, dynamic.jacobian());
-  std::array<double, n> x{1, -2, 3}, rhs{};
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) rhs[i] += ((i == j ? 1 : 0) - 0.5 * jacobian[j * n + i]) * x[j];
-  auto other = rhs;
-  fixed.factorize(0.5), dynamic.factorize(0.5);
-  fixed.solve_in_place(rhs.data()), dynamic.solve_in_place(other.data());
-  for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(rhs[i], x[i], 1e-14);
-  EXPECT_EQ(rhs, other);
-}
-
-TEST(SmallLu, TellsTheSignOfTheDeterminant) {
-  // det(I - d J) is the product of 1 - d lambda: one eigenvalue, 3, lies beyond 1/d for d = 1/2
-  for (const std::size_t blocks : {1u, 3u, 4u}) {
-    const std::size_t n = 3 * blocks;
-    SmallLu<double, 0> lu(n);
-    for (std::size_t b = 0; b < blocks; ++b)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double lambda[3] = {b == 0 ? 3.0 : 0.125, -2, 0.25};
-        // large entries below the diagonal leave the eigenvalues alone and make the pivots move
-        lu.jacobian()[(3 * b + i) * n + 3 * b + i] = lambda[i];
-        if (i > 0) lu.jacobian()[(3 * b + i - 1) * n + 3 * b + i] = 100;
-      }
-    EXPECT_TRUE(lu.factorize(0.25)) << n;
-    EXPECT_FALSE(lu.factorize(0.5)) << n;
-  }
-}
-
 }  // namespace
 }  // namespace odemark

@@ -1,7 +1,7 @@
 # Tests that are more than one executable: several builds compared, a program driven, instructions counted.
 
 # equal bits across -O levels and compilers
-set(bits_sources support/final_bits.cpp ${PROJECT_SOURCE_DIR}/integrators/dense_lu.cpp ${PROJECT_SOURCE_DIR}/integrators/shifted_lu.cpp
+set(bits_sources support/final_bits.cpp ${PROJECT_SOURCE_DIR}/integrators/shifted_lu.cpp
   ${PROJECT_SOURCE_DIR}/integrators/stage_modes.cpp)
 set(bits_programs)
 foreach(level 0 3)

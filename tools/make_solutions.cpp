@@ -88,6 +88,7 @@ Truth best_truth(const AnyProblem& problem) {
 
 /// What happened, in one line; throws where it went wrong.
 std::string treat(const AnyProblem& problem, const Arguments& arguments) {
+  if (problem.is_large()) return "large: not stored, its closed form is computed where it is needed";
   const auto path = arguments.into / (problem.preset + ".json");
   const std::string definition = fingerprint(problem, widened(problem, false));
   const Truth truth = best_truth(problem);

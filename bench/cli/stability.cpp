@@ -109,6 +109,10 @@ int stability_command(const Registry& registry, const StabilityCommandOptions& o
       throw BadInput(
           "--dt asks about one problem: name it, like --problem damped_spring --set k=6e5,m=168,zeta=0.1");
     const AnyProblem problem = find_problem(registry.families, options.problem, options.settings);
+    if (problem.is_large())
+      throw BadInput(
+          fmt::format("{} has {} components: stability limits are measured on matrices, of up to {}",
+                      problem.id, problem.size(), largest_compared_size));
     if (!problem.homogeneous)
       throw BadInput(
           fmt::format("{} is not linear, so no single dt is its limit: linear problems are dahlquist, "

@@ -49,6 +49,10 @@ class Callee {
     std::fill(column_major, column_major + size() * size(), 0.0);
     return call([&] { system_->jacobian_call(system_->self, t, y, column_major); });
   }
+  /// In the storage of the system's band; entries outside of the family's pattern are left alone.
+  bool band(double t, const double* y, double* band) noexcept {
+    return call([&] { system_->band_call(system_->self, t, y, band); });
+  }
   std::size_t size() const { return system_->size; }
   bool has_jacobian() const { return (system_->abilities & Ability::jacobian) && system_->jacobian_call; }
   bool threw() const { return thrown_ != nullptr; }

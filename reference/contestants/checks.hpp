@@ -18,7 +18,7 @@ inline ErasedSystem<double> forced_pendulum(const double* forcing) {
   ErasedSystem<double> system;
   system.self = forcing;
   system.size = 2;
-  system.abilities = Ability::jacobian | Ability::second_order;
+  system.abilities = Ability::jacobian | Ability::moderate_size | Ability::second_order;
   system.rhs_call = [](const void* p, double t, const double* y, double* dydt) {
     dydt[0] = y[1];
     dydt[1] = -std::sin(y[0]) - 0.2 * y[1] * y[1] + *static_cast<const double*>(p) * std::cos(1.3 * t);

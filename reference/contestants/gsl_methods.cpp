@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view manual =
     "M. Galassi et al., GNU Scientific Library Reference Manual, 3rd ed. (Network Theory, 2009), ch. 27";
-constexpr unsigned with_jacobian = Ability::jacobian;
+constexpr unsigned with_jacobian = Ability::jacobian | Ability::moderate_size;
 
 constexpr GslRow rk2{{"gsl_rk2", "explicit Runge-Kutta", manual, 3, 2, 0, true, true, false,
                       "Steps with the third-order member of its (2, 3) pair: order 3, where GSL's "

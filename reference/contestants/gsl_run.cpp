@@ -21,10 +21,10 @@ void keep_gsl_quiet() {
 }
 
 struct GslProblem {
-  GslProblem(const ErasedSystem<double>& system, bool with_time_derivative)
+  GslProblem(const ErasedSystem<double>& system, const GslRow& row)
       : callee(system),
-        columns(system.size * system.size),
-        early(with_time_derivative ? system.size : 0),
+        columns(row.needs & Ability::jacobian ? system.size * system.size : 0),
+        early(row.uses_time_derivative ? system.size : 0),
         gsl{rhs, jacobian, system.size, this} {}
   GslProblem(const GslProblem&) = delete;
   GslProblem& operator=(const GslProblem&) = delete;
@@ -75,7 +75,7 @@ std::unique_ptr<gsl_odeiv2_driver, FreeDriver> new_driver(const GslRow& row, con
 class SideSteps {
  public:
   SideSteps(const GslRow& row, const Job& job, const ErrorControl& control)
-      : row_(row), problem_(*job.bare, row.uses_time_derivative), control_(control), between_(job.y) {}
+      : row_(row), problem_(*job.bare, row), control_(control), between_(job.y) {}
 
   bool value(double t_from, const std::vector<double>& from, double h_hint, double t, double* out) {
     const double first = row_.multistep ? 1e-3 * h_hint : t - t_from;
@@ -109,7 +109,7 @@ RunStatus gave_up(const GslRow& row) {
 }
 
 RunReport fixed_steps(const GslRow& row, const Job& job) {
-  GslProblem problem(job.system, row.uses_time_derivative);
+  GslProblem problem(job.system, row);
   const ErrorControl newton = newton_tolerance(job.y);
   const double h = job.step_size();
   const auto driver = new_driver(row, problem, newton, h);
@@ -141,7 +141,7 @@ RunReport fixed_steps(const GslRow& row, const Job& job) {
 
 RunReport error_controlled(const GslRow& row, const Job& job) {
   const ErrorControl& control = *job.adaptive();
-  GslProblem problem(job.system, row.uses_time_derivative);
+  GslProblem problem(job.system, row);
   double h = first_step(job.system, control, row.embedded_order > 0 ? row.embedded_order + 1 : 5, job.t0,
                         job.t1, job.y);
   const auto driver = new_driver(row, problem, control, h);

@@ -16,7 +16,7 @@ constexpr Row row{
     "(RODAS)",
     4,
     3,
-    Ability::jacobian,
+    Ability::jacobian | Ability::moderate_size,
     true,
     true,
     false,

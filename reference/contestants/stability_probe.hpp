@@ -12,7 +12,7 @@ inline ErasedSystem<double> shift_system(std::size_t size, const std::size_t* st
   ErasedSystem<double> system;
   system.self = stored_size;
   system.size = size;
-  system.abilities = Ability::jacobian;
+  system.abilities = Ability::jacobian | Ability::moderate_size;
   system.rhs_call = [](const void* p, double, const double* y, double* dydt) {
     const std::size_t n = *static_cast<const std::size_t*>(p);
     for (std::size_t i = 0; i + 1 < n; ++i) dydt[i] = y[i + 1];

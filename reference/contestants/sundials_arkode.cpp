@@ -75,7 +75,7 @@ class Arkode {
   Arkode(const ArkodeRow& row, const Job& job)
       : implicit_(row.module == ArkodeModule::ark_step_implicit),
         module_(row.module == ArkodeModule::erk_step ? erk_step : ark_step),
-        problem_{Callee(job.system)},
+        problem_(job.system),
         inside_(job.system.size),
         y_(context_.view(job.y)),
         inside_view_(context_.view(inside_)),
@@ -129,7 +129,7 @@ class Arkode {
     else
       set(ARKStepSetTables(memory_, table_->q, table_->p, implicit_ ? table_.get() : nullptr,
                            implicit_ ? nullptr : table_.get()));
-    if (implicit_) set_up_newton(sunindextype(job.system.size));
+    if (implicit_) set_up_newton();
     if (const ErrorControl* control = job.adaptive()) {
       absolute_ = absolute_tolerances(*control, job.system.size);
       tolerances_ = context_.view(absolute_);
@@ -141,11 +141,10 @@ class Arkode {
       set(module_.set_fixed_step(memory_, job.step_size()));
     }
   }
-  void set_up_newton(sunindextype size) {
-    matrix_.reset(SUNDenseMatrix(size, size, context_));
-    linear_.reset(SUNLinSol_Dense(y_.get(), matrix_.get(), context_));
-    set(ARKStepSetLinearSolver(memory_, linear_.get(), matrix_.get()));
-    if (problem_.callee.has_jacobian()) set(ARKStepSetJacFn(memory_, SundialsProblem::jacobian));
+  void set_up_newton() {
+    newton_.set_up(problem_, y_.get(), context_);
+    set(ARKStepSetLinearSolver(memory_, newton_.linear.get(), newton_.matrix.get()));
+    if (newton_.jacobian) set(ARKStepSetJacFn(memory_, newton_.jacobian));
     set(ARKStepSetNonlinConvCoef(memory_, 1e-5));
     set(ARKStepSetMaxNonlinIters(memory_, 10));
   }
@@ -157,8 +156,7 @@ class Arkode {
   std::vector<double> inside_, absolute_;
   OwnedVector y_, inside_view_, tolerances_;
   OwnedTable table_;
-  OwnedMatrix matrix_;
-  OwnedLinearSolver linear_;
+  SundialsNewton newton_;
   void* memory_ = nullptr;
   int flag_ = 0;
 };
@@ -167,6 +165,9 @@ class Arkode {
 
 RunReport run_arkode(const ArkodeRow& row, const Job& job) {
   if (const auto reason = why_not(row, job.control); !reason.empty())
+    return ended({}, RunStatus::not_applicable, job.t0, reason);
+  if (const auto reason = SundialsNewton::obstacle(job.system);
+      row.module == ArkodeModule::ark_step_implicit && !reason.empty())
     return ended({}, RunStatus::not_applicable, job.t0, reason);
   Arkode arkode(row, job);
   RunReport report;

@@ -22,32 +22,33 @@ constexpr Row adams{
     true,
     true,
     "Adams-Moulton of orders 1 to 12, functional iteration. Grid values: its own interpolant."};
-constexpr Row bdf{
-    "cvode_bdf",
-    "multistep",
-    source,
-    5,
-    0,
-    0,
-    false,
-    true,
-    true,
-    "BDF of orders 1 to 5, dense Newton, the problem's Jacobian where it has one, else difference "
-    "quotients (counted as rhs). Grid values: its own interpolant."};
+constexpr Row bdf{"cvode_bdf",
+                  "multistep",
+                  source,
+                  5,
+                  0,
+                  0,
+                  false,
+                  true,
+                  true,
+                  "BDF of orders 1 to 5, Newton with a dense or banded matrix, the problem's Jacobian where "
+                  "it has one, else difference "
+                  "quotients (counted as rhs). Grid values: its own interpolant."};
 
 template <const Row& row>
 RunReport run(const Job& job) {
   constexpr bool stiff = &row == &bdf;
   if (const auto reason = why_not(row, job.control); !reason.empty())
     return ended({}, RunStatus::not_applicable, job.t0, reason);
+  if (const auto reason = SundialsNewton::obstacle(job.system); stiff && !reason.empty())
+    return ended({}, RunStatus::not_applicable, job.t0, reason);
   const ErrorControl& control = *job.adaptive();
   const std::size_t size = job.system.size;
   SundialsContext context;
-  SundialsProblem problem{Callee(job.system)};
+  SundialsProblem problem(job.system);
   auto absolute = absolute_tolerances(control, size);
   const auto y = context.view(job.y), tolerances = context.view(absolute);
-  OwnedMatrix matrix;
-  OwnedLinearSolver linear;
+  SundialsNewton newton;
   OwnedNonlinearSolver iteration;
   const std::unique_ptr<void, FreeCvode> owner(CVodeCreate(stiff ? CV_BDF : CV_ADAMS, context));
   void* const cvode = owner.get();
@@ -65,10 +66,9 @@ RunReport run(const Job& job) {
   set(CVodeSetStopTime(cvode, job.t1));
   if (control.first_step > 0) set(CVodeSetInitStep(cvode, control.first_step));
   if constexpr (stiff) {
-    matrix.reset(SUNDenseMatrix(sunindextype(size), sunindextype(size), context));
-    linear.reset(SUNLinSol_Dense(y.get(), matrix.get(), context));
-    set(CVodeSetLinearSolver(cvode, linear.get(), matrix.get()));
-    if (problem.callee.has_jacobian()) set(CVodeSetJacFn(cvode, SundialsProblem::jacobian));
+    newton.set_up(problem, y.get(), context);
+    set(CVodeSetLinearSolver(cvode, newton.linear.get(), newton.matrix.get()));
+    if (newton.jacobian) set(CVodeSetJacFn(cvode, newton.jacobian));
   } else {
     iteration.reset(SUNNonlinSol_FixedPoint(y.get(), 0, context));
     set(CVodeSetNonlinearSolver(cvode, iteration.get()));

@@ -5,7 +5,9 @@
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_version.h>
+#include <sunlinsol/sunlinsol_band.h>
 #include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_band.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
@@ -63,7 +65,12 @@ class SundialsContext {
 
 /// The user data of every callback.
 struct SundialsProblem {
+  explicit SundialsProblem(const ErasedSystem<double>& system)
+      : callee(system), shape(system.jacobian_shape()) {}
+
   Callee callee;
+  MatrixShape shape;
+  std::vector<double> band;
 
   static int rhs(sunrealtype t, N_Vector y, N_Vector dydt, void* p) {
     auto& me = *static_cast<SundialsProblem*>(p);
@@ -74,6 +81,47 @@ struct SundialsProblem {
     auto& me = *static_cast<SundialsProblem*>(p);
     return me.callee.jacobian(t, N_VGetArrayPointer(y), SUNDenseMatrix_Data(j)) ? 0 : -1;
   }
+  static int band_jacobian(sunrealtype t, N_Vector y, N_Vector, SUNMatrix j, void* p, N_Vector, N_Vector,
+                           N_Vector) {
+    auto& me = *static_cast<SundialsProblem*>(p);
+    if (!me.callee.band(t, N_VGetArrayPointer(y), me.band.data())) return -1;
+    for (std::size_t column = 0; column < me.shape.size; ++column)
+      std::copy_n(me.band.data() + column * me.shape.rows(), me.shape.rows(),
+                  SUNBandMatrix_Column(j, sunindextype(column)) - sunindextype(me.shape.upper));
+    return 0;
+  }
+};
+
+/// What Newton's iteration of CVODE and ARKODE solves with: a band where the Jacobian is one as it stands,
+/// else a whole matrix.
+struct SundialsNewton {
+  OwnedMatrix matrix;
+  OwnedLinearSolver linear;
+  CVLsJacFn jacobian = nullptr;
+
+  /// Why there is none; empty where there is.
+  static std::string_view obstacle(const ErasedSystem<double>& system) {
+    if (is_band(system.jacobian_shape()) || system.size <= largest_moderate_size) return "";
+    return "computes with whole matrices unless the Jacobian is banded as it stands: takes no more than 2000 "
+           "components";
+  }
+  void set_up(SundialsProblem& problem, N_Vector y, SUNContext context) {
+    const MatrixShape& shape = problem.shape;
+    const auto size = sunindextype(shape.size);
+    if (is_band(shape)) {
+      problem.band.assign(shape.size * shape.rows(), 0.0);
+      matrix.reset(SUNBandMatrix(size, sunindextype(shape.upper), sunindextype(shape.lower), context));
+      linear.reset(SUNLinSol_Band(y, matrix.get(), context));
+      jacobian = SundialsProblem::band_jacobian;
+    } else {
+      matrix.reset(SUNDenseMatrix(size, size, context));
+      linear.reset(SUNLinSol_Dense(y, matrix.get(), context));
+      if (problem.callee.has_jacobian()) jacobian = SundialsProblem::jacobian;
+    }
+  }
+
+ private:
+  static bool is_band(const MatrixShape& shape) { return !shape.is_dense() && !shape.interleaved; }
 };
 
 /// Instead of messages on stderr.

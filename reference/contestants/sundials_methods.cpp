@@ -9,7 +9,7 @@ namespace {
 #define ODEMARK_ARKODE_GRID "Grid values: its Hermite interpolant. In fixed steps its clock adds up h. "
 #define ODEMARK_ARKODE_NEWTON                                                                                \
   "Newton constant 1e-5 instead of 0.1 and up to 10 iterations instead of 3: Robertson's problem takes 126 " \
-  "steps instead of 7291. Dense Jacobian, the problem's where it has one. "
+  "steps instead of 7291. Dense or banded Jacobian, the problem's where it has one. "
 
 constexpr std::string_view arkode = "D. R. Reynolds et al., ACM Trans. Math. Softw. 49 (2023) 19";
 constexpr std::string_view kutta = "W. Kutta, Z. Math. Phys. 46 (1901) 435-453";

@@ -22,7 +22,7 @@ using Erased = ErasedSystem<double>;
 /// Nonlinear, velocity-dependent and driven; started at (0, 1) its solution is x = sin t.
 inline Erased driven() {
   Erased s;
-  s.size = 2, s.abilities = Ability::jacobian | Ability::second_order;
+  s.size = 2, s.abilities = Ability::jacobian | Ability::moderate_size | Ability::second_order;
   s.acceleration_call = [](const void*, double t, const double* y, double* a) {
     const double si = std::sin(t), co = std::cos(t);
     *a = -y[0] - y[0] * y[0] * y[0] + si * si * si - 0.2 * (y[1] * y[1] - co * co);
@@ -40,7 +40,7 @@ inline Erased driven() {
 /// y' = -y until t = 1, then NaN.
 inline Erased nan_after_one() {
   Erased s;
-  s.size = 1, s.abilities = Ability::jacobian;
+  s.size = 1, s.abilities = Ability::jacobian | Ability::moderate_size;
   s.rhs_call = [](const void*, double t, const double* y, double* d) { d[0] = t > 1 ? std::nan("") : -y[0]; };
   s.jacobian_call = [](const void*, double, const double*, double* j) { j[0] = -1; };
   return s;

@@ -7,7 +7,15 @@
 
 namespace odemark {
 inline std::atomic<long> heap_requests{0};
+inline std::atomic<std::size_t> largest_request{0};  // bytes; a test may set it back
+
+inline void count_request(std::size_t bytes) {
+  heap_requests.fetch_add(1, std::memory_order_relaxed);
+  std::size_t largest = largest_request.load(std::memory_order_relaxed);
+  while (largest < bytes && !largest_request.compare_exchange_weak(largest, bytes)) {
+  }
 }
+}  // namespace odemark
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
@@ -23,14 +31,14 @@ inline std::atomic<long> heap_requests{0};
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* malloc(std::size_t size) noexcept {
-  odemark::heap_requests.fetch_add(1, std::memory_order_relaxed);
+  odemark::count_request(size);
   return __libc_malloc(size);
 }
 }
 #else
 // A sanitizer owns malloc; what C++ code asks for is still seen.
 void* operator new(std::size_t size) {
-  odemark::heap_requests.fetch_add(1, std::memory_order_relaxed);
+  odemark::count_request(size);
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
   throw std::bad_alloc();
 }
