@@ -157,7 +157,8 @@ int odemark_main(int argc, char** argv, const Registry& registry) {
       ->option_text("DIR");
   approve_app.add_option("--baseline", approve.baseline, "the file to write (default: baseline.json)")
       ->option_text("FILE");
-  approve_app.add_option("--only", approve.only, "regular expression on row ids")->option_text("REGEX");
+  approve_app.add_option("--only", approve.only, "regular expression on cases: kepler.*/rk4")
+      ->option_text("REGEX");
   approve_app.add_option("--reason", approve.reason, "why the numbers changed")
       ->required()
       ->option_text("TEXT");

@@ -33,7 +33,7 @@ double observed_order(const odemark::AnyMethod& method, const odemark::AnyProble
 int main() {
   const auto own_method = odemark::erase_method<consumer::my_ralston3>();
   const auto own_problem =
-      odemark::find_problem({odemark::make_family<consumer::Logistic>()}, "logistic", "r=2");
+      odemark::find_problem({odemark::make_family<consumer::Logistic>()}, "my_logistic", "r=2");
   const auto oscillator = odemark::find_problem(odemark::suite_families(), "oscillator");
   const double oscillator_end = std::cos(oscillator.t_end);
   double start = 0.125, own_end = 0;

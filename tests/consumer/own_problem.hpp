@@ -6,7 +6,7 @@ namespace consumer {
 
 template <class Real = double>
 struct Logistic {
-  static constexpr std::string_view id = "logistic";
+  static constexpr std::string_view id = "my_logistic";
   static constexpr std::string_view title = "Logistic growth";
   static constexpr std::string_view equations = "x' = r x (1 - x)";
   static constexpr std::string_view source = "P. F. Verhulst, 1838";
@@ -21,7 +21,7 @@ struct Logistic {
                       P{"x0", "", "initial share", &Logistic::x0, odemark::positive},
                       P{"t_end", "s", "end of the interval", &Logistic::t_end, odemark::positive}};
   }
-  static constexpr std::array presets{odemark::Preset{"logistic", "", "from an eighth to nearly all"}};
+  static constexpr std::array presets{odemark::Preset{"my_logistic", "", "from an eighth to nearly all"}};
 
   std::array<double, size> scale() const { return {1}; }
   double suggested_dt() const { return 0.125 / double(r); }
