@@ -26,5 +26,6 @@ refused 2 'truth needs a PROBLEM' truth
 refused 2 'one problem at a time' truth kepler_e06 robertson
 refused 2 '--sample requires --verify' truth kepler_e06 --sample 3
 refused 2 'there is no problem "kepler_e0x"' truth --verify kepler_e0x
+refused 2 'too large to be stored' truth --verify heat_rod_100000
 refused 2 'no stored solution was computed that fast' truth --verify --within 1e-9
 finish
