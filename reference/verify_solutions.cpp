@@ -69,7 +69,6 @@ std::vector<Candidate> chosen(const std::vector<AnyFamily>& families, const Veri
       if (request.presets.empty()) continue;
       throw BadInput(id + " is too large to be stored: its closed form is evaluated when it is asked for");
     }
-    if (request.presets.empty() && candidate.problem.is_large()) continue;  // nothing is stored of those
     if (request.within && stored_seconds(candidate.json) > *request.within) continue;
     all.push_back(std::move(candidate));
   }
