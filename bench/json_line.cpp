@@ -14,6 +14,8 @@ using namespace json;
 
 namespace {
 
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // written as absent: never a good value
+
 Json work_json(const RowWork& w) {
   return {{"rhs", w.rhs},
           {"acceleration", w.acceleration},
@@ -37,7 +39,6 @@ Json errors_json(const RowErrors& e) {
   return j;
 }
 RowErrors errors_from(const Json& j) {
-  const double nothing = std::numeric_limits<double>::quiet_NaN();  // written as absent: never a good value
   return {
       j.value("scaled", nothing),    j.value("absolute", nothing),       maybe<double>(j, "relative"),
       j.value("rms", nothing),       maybe<double>(j, "trajectory_max"), maybe<double>(j, "trajectory_rms"),
@@ -45,21 +46,21 @@ RowErrors errors_from(const Json& j) {
 }
 
 Json timing_json(const RowTiming& t) {
-  return {{"minimum_seconds", t.minimum_seconds},
-          {"median_seconds", t.median_seconds},
-          {"mad_seconds", t.mad_seconds},
-          {"repeats", t.repeats},
-          {"ns_per_step", t.ns_per_step},
-          {"ns_per_simulated_second", t.ns_per_simulated_second},
-          {"tier", t.tier}};
+  Json j = Json::object();
+  put(j, "minimum_seconds", t.minimum_seconds), put(j, "median_seconds", t.median_seconds),
+      put(j, "mad_seconds", t.mad_seconds);
+  j["repeats"] = t.repeats;
+  put(j, "ns_per_step", t.ns_per_step), put(j, "ns_per_simulated_second", t.ns_per_simulated_second);
+  j["tier"] = t.tier;
+  return j;
 }
 RowTiming timing_from(const Json& j) {
-  return {number(j, "minimum_seconds"),
-          number(j, "median_seconds"),
-          number(j, "mad_seconds"),
+  return {j.value("minimum_seconds", nothing),
+          j.value("median_seconds", nothing),
+          j.value("mad_seconds", nothing),
           whole<int>(j, "repeats"),
-          number(j, "ns_per_step"),
-          number(j, "ns_per_simulated_second"),
+          j.value("ns_per_step", nothing),
+          j.value("ns_per_simulated_second", nothing),
           text(j, "tier")};
 }
 

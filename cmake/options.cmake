@@ -16,7 +16,7 @@ if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
-# a third of the linking time of GNU ld, and part of the same package
+# two thirds of the linking time of GNU ld (0.5 s against 0.7 s for a test), and part of the same package
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold ODEMARK_HAS_GOLD)
 if(PROJECT_IS_TOP_LEVEL AND ODEMARK_HAS_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -64,12 +64,7 @@ struct HeatRod {
   }
   template <class T, class L>
   void linear_part(L&& l) const {
-    const T r = rate<T>();
-    for (std::size_t i = 0; i < size(); ++i) {
-      l(i, i) = -(2 * r);
-      if (i > 0) l(i, i - 1) = r;
-      if (i + 1 < size()) l(i, i + 1) = r;
-    }
+    second_difference_matrix(size(), rate<T>(), 0, l);
   }
   /// The same system with every drive removed: 0 is its fixed point.
   HeatRod homogeneous() const { return *this; }

@@ -77,14 +77,8 @@ struct SpringChain {
   }
   template <class T, class L>
   void linear_part(L&& l) const {
-    const T r = rate<T>();
-    const std::size_t half = masses();
-    for (std::size_t i = 0; i < half; ++i) {
-      l(i, half + i) = T(1);
-      l(half + i, i) = -(2 * r);
-      if (i > 0) l(half + i, i - 1) = r;
-      if (i + 1 < half) l(half + i, i + 1) = r;
-    }
+    for (std::size_t i = 0; i < masses(); ++i) l(i, masses() + i) = T(1);
+    second_difference_matrix(masses(), rate<T>(), masses(), l);
   }
   /// The same system with every drive removed: 0 is its fixed point.
   SpringChain homogeneous() const { return *this; }

@@ -57,5 +57,14 @@ void second_difference(std::size_t n, const T* y, T* out) {
   for (std::size_t i = 1; i + 1 < n; ++i) out[i] = (y[i - 1] + y[i + 1]) - 2 * y[i];
   out[n - 1] = y[n - 2] - 2 * y[n - 1];
 }
+/// The matrix of that times `rate`, in the rows from `first_row` on.
+template <class T, class L>
+void second_difference_matrix(std::size_t n, const T& rate, std::size_t first_row, L&& l) {
+  for (std::size_t i = 0; i < n; ++i) {
+    l(first_row + i, i) = -(2 * rate);
+    if (i > 0) l(first_row + i, i - 1) = rate;
+    if (i + 1 < n) l(first_row + i, i + 1) = rate;
+  }
+}
 
 }  // namespace odemark

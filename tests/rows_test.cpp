@@ -118,10 +118,13 @@ TEST(Rows, WhatIsNoNumberIsAbsentAndNeverGood) {
   Row row = full_row();
   row.errors = RowErrors{nan, infinity, -infinity, nan, nan, infinity, nan, infinity, nan};
   row.drift = {{"energy", infinity}, {"momentum", nan}};
+  row.timing->ns_per_step = infinity, row.timing->median_seconds = nan;
   const std::string line = to_json_line(row);
   EXPECT_THAT(line, testing::Not(HasSubstr("nan")));
   EXPECT_THAT(line, testing::Not(HasSubstr("inf,")));
   const Row back = round_trip(row);
+  EXPECT_TRUE(std::isnan(back.timing->ns_per_step) && std::isnan(back.timing->median_seconds));
+  EXPECT_EQ(back.timing->minimum_seconds, row.timing->minimum_seconds);
   EXPECT_TRUE(std::isnan(back.errors->scaled));
   EXPECT_TRUE(std::isnan(back.errors->absolute));
   EXPECT_TRUE(std::isnan(back.errors->rms));

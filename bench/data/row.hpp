@@ -19,10 +19,10 @@ struct RowWork {
   long evaluations = 0;
 };
 
-/// Distances from the truth at the end and over the common time grid. Absent unless the run reached the end.
 /// A motion that has died to less than this, in its scale, says little by its end.
 inline constexpr double next_to_nothing = 1e-3;
 
+/// Distances from the truth at the end and over the common time grid. Absent unless the run reached the end.
 struct RowErrors {
   double scaled = 0;  // max over components of |y - truth| / scale of the component: what curves are drawn of
   double absolute = 0;             // max |y - truth|
