@@ -8,27 +8,43 @@ function(odemark_write path content)
   file(CONFIGURE OUTPUT ${path} CONTENT "${content}" @ONLY)
 endfunction()
 
-# Methods and families share units of a few, because what they have in common is then compiled once. Which unit is theirs
-# follows from the name alone: a new one changes one unit.
+# Methods and families share units of a few, because what they have in common is then compiled once; methods share with
+# those of their kind, which have most in common (three quarters of the time of 48 units dealt by name alone). Which unit is
+# theirs follows from the kind and the name: a new one changes one unit, or those of its kind where they have become too large.
 function(odemark_group out groups name)
   string(MD5 hash ${name})
   string(SUBSTRING ${hash} 0 4 hash)
   math(EXPR number "0x${hash} % ${groups}")
   set(${out} ${number} PARENT_SCOPE)
 endfunction()
-macro(odemark_write_groups units kind groups header)
-  math(EXPR last "${groups} - 1")
-  foreach(group RANGE ${last})
-    if(DEFINED ${kind}_code_${group})
-      odemark_write(${ODEMARK_GENERATED}/${kind}/${group}.cpp
+macro(odemark_write_groups units kind header)
+  list(REMOVE_DUPLICATES ${kind}_groups)
+  foreach(group ${${kind}_groups})
+    odemark_write(${ODEMARK_GENERATED}/${kind}/${group}.cpp
 "${${kind}_headers_${group}}#include \"${header}\"
 namespace odemark {
 ${${kind}_code_${group}}}
 ")
-      list(APPEND ${units} ${ODEMARK_GENERATED}/${kind}/${group}.cpp)
-    endif()
+    list(APPEND ${units} ${ODEMARK_GENERATED}/${kind}/${group}.cpp)
   endforeach()
 endmacro()
+
+# The header of its kind: the first of integrators/ that the method includes, or else that of the method it varies.
+function(odemark_kind out file)
+  set(path ${PROJECT_SOURCE_DIR}/integrators/methods/${file}.hpp)
+  file(STRINGS ${path} lines REGEX "^#include \"integrators/[a-z0-9_]+\\.hpp\"" LIMIT_COUNT 1)
+  if(lines MATCHES "integrators/([a-z0-9_]+)\\.hpp")
+    set(${out} ${CMAKE_MATCH_1} PARENT_SCOPE)
+    return()
+  endif()
+  file(STRINGS ${path} lines REGEX "^#include \"integrators/methods/" LIMIT_COUNT 1)
+  if(lines MATCHES "methods/([a-z0-9_]+)\\.hpp")
+    odemark_kind(kind ${CMAKE_MATCH_1})
+    set(${out} ${kind} PARENT_SCOPE)
+  else()
+    set(${out} others PARENT_SCOPE)
+  endif()
+endfunction()
 
 # methods: ids; method_files: file stem of each
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
@@ -75,11 +91,26 @@ foreach(method ${ODEMARK_METHODS})
   string(APPEND calls "    methods.push_back(erased_${method}());\n")
 endforeach()
 foreach(file ${files})
-  odemark_group(group 48 ${file})
+  odemark_kind(kind_of_${file} ${file})
+  list(APPEND files_of_${kind_of_${file}} ${file})
+endforeach()
+set(methods_groups)
+foreach(file ${files})
+  set(kind ${kind_of_${file}})
+  list(LENGTH files_of_${kind} count)
+  if(count LESS 4)  # kinds of one or two methods share
+    odemark_group(part 2 ${file})
+    set(group others_${part})
+  else()
+    math(EXPR units "(${count} + 8) / 9")
+    odemark_group(part ${units} ${file})
+    set(group ${kind}_${part})
+  endif()
+  list(APPEND methods_groups ${group})
   string(APPEND methods_headers_${group} "#include \"integrators/methods/${file}.hpp\"\n")
   string(APPEND methods_code_${group} "${unit_of_${file}}")
 endforeach()
-odemark_write_groups(ODEMARK_METHOD_UNITS methods 48 "integrators/erase_method.hpp")
+odemark_write_groups(ODEMARK_METHOD_UNITS methods "integrators/erase_method.hpp")
 list(REMOVE_DUPLICATES ODEMARK_METHODS)
 string(REPLACE ";" ", " names "${ODEMARK_METHODS}")
 odemark_write(${ODEMARK_GENERATED}/include/integrators/catalogue.hpp
@@ -116,6 +147,8 @@ set(wide_declarations "")
 set(static_declarations "")
 set(static_calls "")
 set(static_marks "")
+set(families_groups)
+set(wide_groups)
 set(ODEMARK_FAMILY_UNITS)
 set(ODEMARK_WIDE_UNITS)
 set(ODEMARK_STATIC_UNITS)
@@ -137,8 +170,9 @@ foreach(line ${lines})
   string(APPEND calls "    families.push_back(family_${id}());\n")
   string(APPEND wide_declarations "WideFamily wide_${id}();\n")
   string(APPEND wide_calls "    families.push_back(wide_${id}());\n")
-  odemark_group(group 24 ${id})
+  odemark_group(group 12 ${id})
   foreach(kind families wide)
+    list(APPEND ${kind}_groups ${group})
     string(APPEND ${kind}_headers_${group} "#include \"problems/${id}.hpp\"\n")
   endforeach()
   string(APPEND families_code_${group}
@@ -189,8 +223,8 @@ void static_${id}_${chunk_number}(std::vector<StaticRun>& runs) { add_static_run
     endforeach()
   endif()
 endforeach()
-odemark_write_groups(ODEMARK_FAMILY_UNITS families 24 "reference/make_family.hpp")
-odemark_write_groups(ODEMARK_WIDE_UNITS wide 24 "reference/make_wide_family.hpp")
+odemark_write_groups(ODEMARK_FAMILY_UNITS families "reference/make_family.hpp")
+odemark_write_groups(ODEMARK_WIDE_UNITS wide "reference/make_wide_family.hpp")
 odemark_write(${ODEMARK_GENERATED}/suite_families.cpp
 "#include \"reference/any_problem.hpp\"
 namespace odemark {

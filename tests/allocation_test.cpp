@@ -10,7 +10,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::allocation_test {
 namespace {
 
 template <class F>
@@ -120,4 +120,4 @@ TEST(Allocation, NoStepAllocatesInTheStaticTier) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::allocation_test

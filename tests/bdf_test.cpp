@@ -14,7 +14,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::bdf_test {
 namespace {
 
 using Matrix = std::vector<Coefficient>;
@@ -193,4 +193,4 @@ TEST(Runs, TheStepRecoversFromASuddenRefinement) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::bdf_test

@@ -10,7 +10,7 @@
 #include "reference/verify_solutions.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::catalogue_test {
 namespace {
 
 bool is_snake_case(std::string_view id) {
@@ -150,4 +150,4 @@ TEST(Catalogue, EveryBlankHasAReason) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::catalogue_test

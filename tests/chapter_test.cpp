@@ -13,7 +13,7 @@
 
 #include "reports/chapter_page.hpp"
 
-namespace odemark {
+namespace odemark::chapter_test {
 namespace {
 
 const ChapterData& data() {
@@ -297,4 +297,4 @@ TEST(ChapterPage, HasEightFiguresAndSevenVerdictsInTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::chapter_test

@@ -8,7 +8,7 @@
 #include "check_rows.hpp"
 #include "reports/baseline.hpp"
 
-namespace odemark {
+namespace odemark::check_baseline_test {
 namespace {
 
 using testing::HasSubstr;
@@ -200,4 +200,4 @@ TEST(approve, needs_a_reason_and_shows_what_changes) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::check_baseline_test

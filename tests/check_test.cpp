@@ -9,7 +9,7 @@
 
 #include "check_rows.hpp"
 
-namespace odemark {
+namespace odemark::check_test {
 namespace {
 
 using testing::HasSubstr;
@@ -245,4 +245,4 @@ TEST(check, cases_that_cannot_run_are_counted_apart) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::check_test

@@ -13,7 +13,7 @@
 #include "reports/compare.hpp"
 #include "reports/junit.hpp"
 
-namespace odemark {
+namespace odemark::check_texts_test {
 namespace {
 
 using testing::HasSubstr;
@@ -217,4 +217,4 @@ TEST(compare, limits_that_moved_vanished_or_are_on_one_side) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::check_texts_test

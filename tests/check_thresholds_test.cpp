@@ -5,7 +5,7 @@
 #include "check_rows.hpp"
 #include "reports/thresholds.hpp"
 
-namespace odemark {
+namespace odemark::check_thresholds_test {
 namespace {
 
 using testing::AllOf;
@@ -164,4 +164,4 @@ TEST(thresholds, names_that_were_not_run_are_refused) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::check_thresholds_test

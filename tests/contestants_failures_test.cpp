@@ -3,7 +3,7 @@
 
 #include "tests/support/contestant_problems.hpp"
 
-namespace odemark {
+namespace odemark::contestants_failures_test {
 namespace {
 
 using namespace probe;
@@ -183,4 +183,4 @@ TEST_F(contestant_failures, what_a_method_cannot_do_is_said) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::contestants_failures_test

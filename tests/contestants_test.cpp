@@ -14,7 +14,7 @@
 #include "reference/contestants/sundials_handles.hpp"
 #endif
 
-namespace odemark {
+namespace odemark::contestants_test {
 namespace {
 
 using namespace probe;
@@ -272,4 +272,4 @@ TEST(contestants, counters_are_the_solvers_own) {
 #endif
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::contestants_test

@@ -15,7 +15,7 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/straight_stretch.hpp"
 
-namespace odemark {
+namespace odemark::convergence_test {
 namespace {
 
 /// Errors are looked at where the last `looks` of 8 equal parts of the interval end: the root of their mean
@@ -284,4 +284,4 @@ TEST(ErrorControl, ErrorFollowsTolerance) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::convergence_test

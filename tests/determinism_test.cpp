@@ -9,7 +9,7 @@
 #include "bench/measure.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::determinism_test {
 namespace {
 
 RunRequest request_of(const AnyMethod& method) {
@@ -89,4 +89,4 @@ TEST(Determinism, TheHashSeesEveryBit) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::determinism_test

@@ -10,7 +10,7 @@
 #include "tests/support/geometric_methods.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::energy_test {
 namespace {
 
 /// Calls look(step, relative error of the energy) after every step.
@@ -124,4 +124,4 @@ TEST(AverageVectorField, KeepsEnergyToRoundOff) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::energy_test

@@ -13,7 +13,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::events_test {
 namespace {
 
 Row tolerant_row(std::string_view method, const AnyProblem& problem, double rtol) {
@@ -264,4 +264,4 @@ TEST(Events, AStoredEventIsVerified) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::events_test

@@ -7,7 +7,7 @@
 #include "bench/solve.hpp"
 #include "tests/support/wide_views.hpp"
 
-namespace odemark {
+namespace odemark::exact_solution_test {
 namespace {
 
 /// A time inside the interval, away from every switch.
@@ -178,4 +178,4 @@ TEST(ExactSolution, ARunThatStopsWhereItMustComesVeryNear) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::exact_solution_test

@@ -13,7 +13,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::execute_test {
 namespace {
 
 const std::vector<PlannedRun>& plan() {
@@ -197,4 +197,4 @@ TEST(Execute, AComparisonDoesNotWaitForMethodsThatRanOutOfTime) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::execute_test

@@ -13,7 +13,7 @@
 #include "reports/check.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::expected_order_test {
 namespace {
 
 const AnyMethod& method_called(std::string_view id) {
@@ -107,4 +107,4 @@ TEST(ExpectedOrder, IsWhatTheGateDemands) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::expected_order_test

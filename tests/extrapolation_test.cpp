@@ -8,7 +8,7 @@
 #include "integrators/order_conditions.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::extrapolation_test {
 namespace {
 
 template <const auto& method, std::size_t Stages>
@@ -81,4 +81,4 @@ TEST(Extrapolation, LinearlyImplicitStepsFollowTheSlowSolution) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::extrapolation_test

@@ -6,7 +6,7 @@
 #include "tests/stability_cases.hpp"
 #include "tests/tableaux.hpp"
 
-namespace odemark {
+namespace odemark::facts_kinds_test {
 namespace {
 
 using namespace tableaux;
@@ -20,7 +20,7 @@ MethodFacts facts_of(std::string_view id) {
 
 // --- kinds of stability ---
 
-TEST(Facts, AnglesOfBdf) {
+TEST(FactsOfKinds, AnglesOfBdf) {
   // G. Akrivis, E. Katsoprinakis, BIT 60 (2020) 93-99
   const double known[] = {86.032366860211647, 73.351670474578482, 51.839755836049910, 17.839777792245700};
   for (int k = 3; k <= 6; ++k) {
@@ -33,7 +33,7 @@ TEST(Facts, AnglesOfBdf) {
   EXPECT_TRUE(*method_facts(bdf(2), 2).stability.l_stable);
 }
 
-TEST(Facts, AnglesOfFunctionsAndOfLociAgree) {
+TEST(FactsOfKinds, AnglesOfFunctionsAndOfLociAgree) {
   const auto theory = [](Coefficient c) {
     Theory t;
     t.numerator = {1, 1, c}, t.denominator = {1, 0, 0, -0.1L};
@@ -51,7 +51,7 @@ TEST(Facts, AnglesOfFunctionsAndOfLociAgree) {
   }
 }
 
-TEST(Facts, PolesDecideToo) {
+TEST(FactsOfKinds, PolesDecideToo) {
   // |R(iy)| <= 1 and |R(-x)| <= 1 everywhere, but poles at -3 +- i sqrt(3)
   auto q = RealPolynomial({1, 0.5L, 1 / 12.0L});
   for (int i = 0; i < 4; ++i) q = q * RealPolynomial({1, -1});
@@ -64,14 +64,14 @@ TEST(Facts, PolesDecideToo) {
   EXPECT_LT(*facts.a_alpha_degrees, 30);
 }
 
-TEST(Facts, TrailingCoefficientsDoNotRuleAtInfinity) {
+TEST(FactsOfKinds, TrailingCoefficientsDoNotRuleAtInfinity) {
   Theory theory;
   theory.numerator = {1, 1e-17L}, theory.denominator = {1, -1};
   EXPECT_EQ(*detail::stability_facts(theory).r_infinity, 0);
   EXPECT_TRUE(*detail::stability_facts(theory).l_stable);
 }
 
-TEST(Facts, KindsOfImplicitMethods) {
+TEST(FactsOfKinds, KindsOfImplicitMethods) {
   const auto crouzeix = method_facts(crouzeix3(), 3), trapezoid = facts_of("implicit_trapezoid"),
              tr = method_facts(tr_bdf2(), 2, 3), sdirk43 = method_facts(hairer_wanner_sdirk43(), 4, 3),
              gauss = method_facts(gauss4(), 4), radau = method_facts(radau_iia3(), 3),
@@ -98,7 +98,7 @@ TEST(Facts, KindsOfImplicitMethods) {
   EXPECT_EQ(*ros.order, 2);
 }
 
-TEST(Facts, StrongStability) {
+TEST(FactsOfKinds, StrongStability) {
   const auto ralston = tableau({{}, {2 / 3.0L}}, {1 / 4.0L, 3 / 4.0L});
   const auto ssprk33 = tableau({{}, {1}, {0.25L, 0.25L}}, {1 / 6.0L, 1 / 6.0L, 2 / 3.0L});
   for (const auto& [facts, known] : {std::pair{facts_of("explicit_euler"), 1.0},
@@ -117,7 +117,7 @@ TEST(Facts, StrongStability) {
   EXPECT_EQ(*facts_of("implicit_euler").ssp_coefficient, infinity);
 }
 
-TEST(Facts, MultistepOnTheImaginaryAxis) {
+TEST(FactsOfKinds, MultistepOnTheImaginaryAxis) {
   // next to 0 the principal root leaves the circle by y^3 and less: searches with a tolerance report 0.008
   // for order 2, 0.077 for order 6
   const auto adams = [](std::vector<Coefficient> b) {
@@ -138,7 +138,7 @@ TEST(Facts, MultistepOnTheImaginaryAxis) {
   EXPECT_EQ(*ab6.step_ratio_limit, infinity);
 }
 
-TEST(Facts, PredictorCorrectorsAtInfinity) {
+TEST(FactsOfKinds, PredictorCorrectorsAtInfinity) {
   // with a new value on the left-hand side alone, a large z multiplies what is old
   EXPECT_EQ(*facts_of("adams_bashforth_moulton33").stability.r_infinity, infinity);
   // 1 + z^2 (w - 1/2): one root, and at infinity it is 1/2
@@ -147,7 +147,7 @@ TEST(Facts, PredictorCorrectorsAtInfinity) {
   EXPECT_NEAR(double(*detail::stability_facts(theory).r_infinity), 0.5, 1e-15);
 }
 
-TEST(Facts, RoundingsWithinStabilisedSteps) {
+TEST(FactsOfKinds, RoundingsWithinStabilisedSteps) {
   // with the square of the number of stages, and never so far that they are worth half the digits
   for (const char* id : {"rkc1", "rkc2", "rkl2", "rock2", "rock4"}) {
     const auto facts = facts_of(id);
@@ -158,7 +158,7 @@ TEST(Facts, RoundingsWithinStabilisedSteps) {
   EXPECT_EQ(*facts_of("rkc2").internal_amplification, 40'000);
 }
 
-TEST(Facts, StepRatiosOfBdf) {
+TEST(FactsOfKinds, StepRatiosOfBdf) {
   for (const auto& [k, known] : {std::pair{2, 1 + std::sqrt(2.0)}, {3, (1 + std::sqrt(5.0)) / 2}})
     EXPECT_NEAR(double(*method_facts(bdf(k), k).step_ratio_limit), known, 1e-12) << k;
   EXPECT_NEAR(double(*method_facts(bdf(5), 5).step_ratio_limit), 1.127, 5e-4);
@@ -167,7 +167,7 @@ TEST(Facts, StepRatiosOfBdf) {
 
 // --- step control ---
 
-TEST(Facts, ControllersOnTheBoundary) {
+TEST(FactsOfKinds, ControllersOnTheBoundary) {
   // Bogacki and Shampine print two estimates. The first, of seven stages, is that of the published figures;
   // the second, which looks at the new state too and is the one of the method, shakes the step at the
   // boundary far more: at z* its error grows with |z| to the 20.6, that of the first to the 5.8.
@@ -195,4 +195,4 @@ TEST(Facts, ControllersOnTheBoundary) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::facts_kinds_test

@@ -8,7 +8,7 @@
 #include "tests/stability_cases.hpp"
 #include "tests/tableaux.hpp"
 
-namespace odemark {
+namespace odemark::facts_test {
 namespace {
 
 using namespace tableaux;
@@ -238,4 +238,4 @@ TEST(Facts, TheSeriesIsThatOfTheFunction) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::facts_test

@@ -10,7 +10,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::failure_test {
 namespace {
 
 RunRequest fixed(long steps) {
@@ -216,4 +216,4 @@ TEST(Failure, ARequestOfBothOrNeitherControlIsABug) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::failure_test

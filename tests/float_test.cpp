@@ -11,7 +11,7 @@
 #include "tests/support/runs.hpp"
 #include "tests/support/strict_float.hpp"
 
-namespace odemark {
+namespace odemark::float_test {
 namespace {
 
 template <class F>
@@ -203,4 +203,4 @@ TEST(Float, ACompensatedRunDiffersFromThePlainOneOnlyByRoundOff) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::float_test

@@ -10,7 +10,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::game_grade_test {
 namespace {
 
 std::vector<double> one_step(const char* id, const AnyProblem& problem, std::vector<double> y, double h) {
@@ -159,4 +159,4 @@ TEST(GameGrade, LinearlyImplicitMethodsSolveOnceAStep) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::game_grade_test

@@ -10,7 +10,7 @@
 #include "integrators/erased_system.hpp"
 #include "integrators/order_conditions.hpp"
 
-namespace odemark {
+namespace odemark::interpolant_test {
 namespace {
 
 /// y' = y (1 - y) + cos(t) / 8 and a second component that only looks: neither linear nor autonomous. The
@@ -145,4 +145,4 @@ TEST(Interpolant, TheSmallestSlipInAWeightIsSeenByTheOrderConditions) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::interpolant_test

@@ -6,7 +6,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/wide_views.hpp"
 
-namespace odemark {
+namespace odemark::jacobian_test {
 namespace {
 
 TEST(Jacobian, WrittenEqualsDualNumbersEqualsDifferences) {
@@ -124,4 +124,4 @@ TEST(Jacobian, TheSameInEveryNumberType) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::jacobian_test

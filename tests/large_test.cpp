@@ -14,7 +14,7 @@
 #include "tests/support/count_allocations.hpp"
 #include "tests/support/wide_views.hpp"
 
-namespace odemark {
+namespace odemark::large_test {
 namespace {
 
 constexpr std::string_view sized_families[] = {"heat_rod", "spring_chain"};
@@ -285,4 +285,4 @@ TEST(Large, WhatNeedsWholeMatricesSaysSo) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::large_test

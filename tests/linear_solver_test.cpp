@@ -6,7 +6,7 @@
 
 #include "integrators/shifted_lu.hpp"
 
-namespace odemark {
+namespace odemark::linear_solver_test {
 namespace {
 
 TEST(ShiftedLu, SolvesWithPivotsInEitherForm) {
@@ -183,4 +183,4 @@ TEST(MatrixShape, ABlockOfASecondOrderBandIsTheBandOfItsForce) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::linear_solver_test

@@ -12,7 +12,7 @@
 #include "integrators/methods/hht_alpha_005.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::measured_facts_test {
 namespace {
 
 using testing::Contains;
@@ -153,4 +153,4 @@ TEST(FactSheets, HaveEveryKeyOrAReason) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::measured_facts_test

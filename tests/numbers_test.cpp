@@ -15,7 +15,7 @@
 #include "problems/oscillator.hpp"
 #include "problems/pendulum.hpp"
 
-namespace odemark {
+namespace odemark::numbers_test {
 namespace {
 
 constexpr std::size_t width = 8;
@@ -84,4 +84,4 @@ TEST(CountingNumbers, CountWhatIsWritten) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::numbers_test

@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-namespace odemark {
+namespace odemark::observed_order_test {
 namespace {
 
 using testing::HasSubstr;
@@ -194,4 +194,4 @@ TEST(roundoff_onset, without_an_order_line_is_the_step_of_the_smallest_error) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::observed_order_test

@@ -11,7 +11,7 @@
 #include "integrators/collocation_tableau.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::order_conditions_test {
 namespace {
 
 template <class F, const auto&... methods>
@@ -288,4 +288,4 @@ TEST(OrderConditions, OneWrongDigitIsSeen) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::order_conditions_test

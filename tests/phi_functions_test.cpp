@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace odemark {
+namespace odemark::phi_functions_test {
 namespace {
 
 using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<160>>;
@@ -156,4 +156,4 @@ TEST(PhiFunctions, NotANumberStaysOne) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::phi_functions_test

@@ -12,7 +12,7 @@
 #include "bench/known_as.hpp"
 #include "reference/bad_input.hpp"
 
-namespace odemark {
+namespace odemark::plan_test {
 namespace {
 
 using testing::AllOf;
@@ -187,4 +187,4 @@ TEST(Plan, NothingIsAskedTwiceWhateverThePatterns) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::plan_test

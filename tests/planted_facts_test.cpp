@@ -20,7 +20,7 @@
 #include "integrators/methods/yoshida4.hpp"
 #include "tests/planted/planted_methods.hpp"
 
-namespace odemark {
+namespace odemark::planted_facts_test {
 namespace {
 
 using testing::Contains;
@@ -291,4 +291,4 @@ TEST(PlantedInSteps, RightOnesPass) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::planted_facts_test

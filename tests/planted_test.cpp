@@ -8,7 +8,7 @@
 #include "reports/observed_order.hpp"
 #include "tests/planted/planted_methods.hpp"
 
-namespace odemark {
+namespace odemark::planted_test {
 namespace {
 
 using testing::HasSubstr;
@@ -101,4 +101,4 @@ INSTANTIATE_TEST_SUITE_P(Suite, Right,
                                          "adams_bashforth_moulton33", "bdf3", "pefrl"));
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::planted_test

@@ -8,7 +8,7 @@
 #include "reference/truth_store.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::published_test {
 namespace {
 
 /// What others printed for the end of a preset. `relative` is what their digits are good for; where they are
@@ -160,4 +160,4 @@ TEST(Published, RunsInDoubleMeetWhatOthersPrinted) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::published_test

@@ -5,7 +5,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::rejection_test {
 namespace {
 
 using System = ErasedSystem<double>;
@@ -72,4 +72,4 @@ TEST(Rejection, LeavesNoTrace) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::rejection_test

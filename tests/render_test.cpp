@@ -23,7 +23,7 @@
 #include "reports/table.hpp"
 #include "reports/unicode.hpp"
 
-namespace odemark {
+namespace odemark::render_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -286,4 +286,4 @@ TEST(Html, ChartDataTableKeepsEveryPoint) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::render_test

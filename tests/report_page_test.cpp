@@ -13,7 +13,7 @@
 #include "reports/page_files.hpp"
 #include "tests/report_rows.hpp"
 
-namespace odemark {
+namespace odemark::report_page_test {
 namespace {
 
 ReportInput small_report() {
@@ -119,7 +119,7 @@ TEST(ConsoleSummary, IsAboutADozenLines) {
   EXPECT_NE(text.find("14 hold"), std::string::npos);
 }
 
-TEST(Tables, HtmlSaysHowManyRowsScroll) {
+TEST(PageTables, HtmlSaysHowManyRowsScroll) {
   Table table{"long", "Long", "", {{"of it"}, {""}}, {}};
   for (int i = 0; i < 12; ++i) table.rows.push_back({{"a"}, {"b"}});
   EXPECT_NE(to_html(table).find("<caption>Long</caption>"), std::string::npos);
@@ -130,7 +130,7 @@ TEST(Tables, HtmlSaysHowManyRowsScroll) {
             std::string::npos);
 }
 
-TEST(Html, LongNamesInALegendMayBreak) {
+TEST(PageHtml, LongNamesInALegendMayBreak) {
   Chart chart{.id = "c", .title = "t", .caption = ""};
   chart.series.push_back({"rk4", "velocity_verlet_<x>", "", {{1, 1}, {2, 2}}});
   const std::string html = to_html(Page{.title = "t", .sections = {{"s", "S", {chart}}}});
@@ -138,4 +138,4 @@ TEST(Html, LongNamesInALegendMayBreak) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::report_page_test

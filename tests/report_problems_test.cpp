@@ -9,7 +9,7 @@
 #include "reports/page_files.hpp"
 #include "reports/problem_sheet_page.hpp"
 
-namespace odemark {
+namespace odemark::report_problems_test {
 namespace {
 
 using testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST(ProblemPages, SayWhatIsKnown) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::report_problems_test

@@ -15,7 +15,7 @@
 #include "reports/work_precision.hpp"
 #include "tests/report_rows.hpp"
 
-namespace odemark {
+namespace odemark::report_test {
 namespace {
 
 bool mentions(const Table& table, const std::string& text) {
@@ -129,7 +129,7 @@ TEST(WorkPrecision, TheCaptionSaysWhatTheLinesAre) {
   EXPECT_EQ(caption().find("Dotted"), std::string::npos) << caption();
 }
 
-TEST(Convergence, FloorIsDrawnAndDivergedRunsStandOnTheFrame) {
+TEST(ReportConvergence, FloorIsDrawnAndDivergedRunsStandOnTheFrame) {
   auto rows = ladder("p", "rk4", 4);
   for (Row& row : rows) row.truth_floor = 1e-9;
   rows.push_back(failed_row("p", "rk4", 8, "not_finite"));
@@ -141,7 +141,7 @@ TEST(Convergence, FloorIsDrawnAndDivergedRunsStandOnTheFrame) {
   EXPECT_TRUE(chart.series[0].points.front().diverged);
 }
 
-TEST(Convergence, CountsAndMatrix) {
+TEST(ReportConvergence, CountsAndMatrix) {
   auto rows = ladder("p", "rk4", 4);
   append(rows, ladder("p", "heun", 2));
   for (Row& row : rows)
@@ -209,4 +209,4 @@ TEST(CsvRows, EveryRunHasALineAndAbsentIsEmpty) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::report_test

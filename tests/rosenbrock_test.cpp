@@ -9,7 +9,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::rosenbrock_test {
 namespace {
 
 template <class Kind>
@@ -179,4 +179,4 @@ TEST(Rosenbrock, ATimeDerivativeCountsAsOneEvaluation) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::rosenbrock_test

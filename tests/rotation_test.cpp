@@ -10,7 +10,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::rotation_test {
 namespace {
 
 const char* const all[] = {"quaternion_euler_normalised",
@@ -256,4 +256,4 @@ TEST(Rotation, TorquesAreCounted) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::rotation_test

@@ -7,7 +7,7 @@
 
 #include "bench/json_line.hpp"
 
-namespace odemark {
+namespace odemark::rows_test {
 namespace {
 
 using testing::HasSubstr;
@@ -214,4 +214,4 @@ TEST(Rows, BlankLinesAndWindowsLineEndsDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::rows_test

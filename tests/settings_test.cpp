@@ -10,7 +10,7 @@
 #include "reference/truth_wide.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::settings_test {
 namespace {
 
 using testing::AllOf;
@@ -154,4 +154,4 @@ TEST(Settings, WideValuesAreExactOrTheDoublesThatProgramsSee) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::settings_test

@@ -11,7 +11,7 @@
 #include "reports/step_sizes.hpp"
 #include "tests/report_rows.hpp"
 
-namespace odemark {
+namespace odemark::settling_test {
 namespace {
 
 using testing::HasSubstr;
@@ -128,4 +128,4 @@ TEST(StepSizes, AreDrawnAtTheToleranceNearestToAMillionth) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::settling_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace odemark {
+namespace odemark::speed_ratio_test {
 namespace {
 
 using testing::HasSubstr;
@@ -94,4 +94,4 @@ TEST(SpeedRatio, FailuresAreReasonsAndUntimedProblemsAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::speed_ratio_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/wide_views.hpp"
 
-namespace odemark {
+namespace odemark::split_test {
 namespace {
 
 template <class T>
@@ -118,4 +118,4 @@ TEST(Split, TheLinearPartIsPartOfTheJacobian) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::split_test

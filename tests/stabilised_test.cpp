@@ -13,7 +13,7 @@
 #include "integrators/methods/rock4.hpp"
 #include "integrators/rock_polynomials.hpp"
 
-namespace odemark {
+namespace odemark::stabilised_test {
 namespace {
 
 using Complex = std::complex<Coefficient>;
@@ -259,4 +259,4 @@ TEST(Stabilised, AnotherPolynomialIsSeen) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::stabilised_test

@@ -4,7 +4,7 @@
 
 #include "tests/stability_cases.hpp"
 
-namespace odemark {
+namespace odemark::stability_game_test {
 namespace {
 
 TEST(StabilityGame, ImplicitStepsHaveNoLimit) {
@@ -61,4 +61,4 @@ TEST(StabilityGame, WhatStructuralMethodsLeaveOfInfiniteSteps) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::stability_game_test

@@ -23,7 +23,7 @@
 #include "integrators/methods/yoshida4.hpp"
 #include "tests/stability_cases.hpp"
 
-namespace odemark {
+namespace odemark::stability_growth_test {
 namespace {
 
 // --- growth ---
@@ -288,4 +288,4 @@ TEST(StabilityRegions, APredictorCorrectorHasTwoBranches) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::stability_growth_test

@@ -4,7 +4,7 @@
 
 #include "tests/stability_cases.hpp"
 
-namespace odemark {
+namespace odemark::stability_long_splittings_test {
 namespace {
 
 /// The spectral radius of one step of drifts and kicks, run in numbers.
@@ -41,4 +41,4 @@ TEST(StabilityOfLongSplittings, KeepTheirDigits) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::stability_long_splittings_test

@@ -7,10 +7,10 @@
 #include "integrators/linear_stability_parts.hpp"
 #include "tests/stability_cases.hpp"
 
-namespace odemark {
+namespace odemark::stability_multistep_test {
 namespace {
 
-TEST(StabilityTheory, MultistepTraps) {
+TEST(StabilityMultistep, MultistepTraps) {
   const auto ab4 = multistep({0, 0, 0, -1, 1}, {-9 / 24.0L, 37 / 24.0L, -59 / 24.0L, 55 / 24.0L, 0});
   EXPECT_NEAR(limit_of(ab4, real_axis()), 0.3, 1e-12);  // its locus crosses itself
   const auto two_step_midpoint = multistep({-1, 0, 1}, {0, 2});
@@ -36,7 +36,7 @@ TEST(StabilityTheory, MultistepTraps) {
   EXPECT_EQ(stability_limit(multistep({-5, 4, 1}, {2, 4}), real_axis()).verdict, Stability::unstable);
 }
 
-TEST(StabilityTheory, PublishedIntervalsOfAdamsMethods) {
+TEST(StabilityMultistep, PublishedIntervalsOfAdamsMethods) {
   // Lambert, Numerical Methods for Ordinary Differential Systems, 1991, table 3.2
   struct Case {
     const char* id;
@@ -52,7 +52,7 @@ TEST(StabilityTheory, PublishedIntervalsOfAdamsMethods) {
     EXPECT_EQ(verdict_of(id, real_axis()), Stability::unstable) << id << " is only weakly stable";
 }
 
-TEST(StabilityTheory, PredictorCorrectors) {
+TEST(StabilityMultistep, PredictorCorrectors) {
   // the polynomial is that of the pair, not of its corrector: the limit is a root of it
   for (const auto* id :
        {"adams_bashforth_moulton22", "adams_bashforth_moulton33", "adams_bashforth_moulton34",
@@ -75,7 +75,7 @@ TEST(StabilityTheory, PredictorCorrectors) {
 
 /// With roots computed to 1e-9 to 1e-12 these seem stable on the imaginary axis up to 0.008, 0.077, 0.06 and
 /// 0.043; they are stable nowhere.
-TEST(StabilityTheory, NoFalseIntervalNearTheOrigin) {
+TEST(StabilityMultistep, NoFalseIntervalNearTheOrigin) {
   struct Case {
     const char* id;
     double seems_stable_to;
@@ -101,7 +101,7 @@ TEST(StabilityTheory, NoFalseIntervalNearTheOrigin) {
               0.25, 1e-6);
 }
 
-TEST(StabilityTheory, AnglesOfBdf) {
+TEST(StabilityMultistep, AnglesOfBdf) {
   struct Case {
     const char* id;
     double degrees;  // Hairer & Wanner, Solving ODEs II, V.2, table 2.1
@@ -121,7 +121,7 @@ TEST(StabilityTheory, AnglesOfBdf) {
   }
 }
 
-TEST(StabilityTheory, EveryMultistepMethodMeetsTheRootCondition) {
+TEST(StabilityMultistep, EveryMultistepMethodMeetsTheRootCondition) {
   int asked = 0;
   for (const auto& m : suite_methods()) {
     const Theory theory = m.theory();
@@ -144,4 +144,4 @@ TEST(StabilityTheory, EveryMultistepMethodMeetsTheRootCondition) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::stability_multistep_test

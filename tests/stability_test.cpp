@@ -11,7 +11,7 @@
 #include "integrators/methods/stormer_verlet.hpp"
 #include "tests/stability_cases.hpp"
 
-namespace odemark {
+namespace odemark::stability_test {
 namespace {
 
 // --- measured ---
@@ -218,4 +218,4 @@ TEST(StabilityCheck, VDriftsRankingMeasured) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::stability_test

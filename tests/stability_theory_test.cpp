@@ -10,7 +10,7 @@
 #include "integrators/real_polynomial.hpp"
 #include "tests/stability_cases.hpp"
 
-namespace odemark {
+namespace odemark::stability_theory_test {
 namespace {
 
 // --- polynomials ---
@@ -281,4 +281,4 @@ TEST(StabilityTheory, VDriftsStudyOfAStiffSuspension) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::stability_theory_test

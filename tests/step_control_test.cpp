@@ -12,7 +12,7 @@
 #include "reports/tolerance.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::step_control_test {
 namespace {
 
 TEST(QuickPower, IsGoodToAHundredThousandth) {
@@ -193,18 +193,18 @@ void expect_settled(const StepFilter& filter) {
   EXPECT_NEAR(result.end, std::cos(1.5), 1e-3) << method.id << " " << filter.id;
 }
 
-TEST(Settling, EveryFilterLivesWithTheStabilityLimit) {
+TEST(StepSettling, EveryFilterLivesWithTheStabilityLimit) {
   for (const StepFilter* filter : step_filters) {
     expect_settled<dormand_prince54>(*filter);
     expect_settled<bogacki_shampine32>(*filter);
   }
 }
 
-TEST(Settling, APlantedFilterThatDoesNotSettleIsSeen) {
+TEST(StepSettling, APlantedFilterThatDoesNotSettleIsSeen) {
   const StepFilter eager{"eager", 1, 0, 0, 0.93, 1.33};
   const auto result = settle<bogacki_shampine32>(eager);
   EXPECT_GT(result.report.rejected, result.report.accepted / 4);
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::step_control_test

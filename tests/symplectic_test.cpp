@@ -8,7 +8,7 @@
 #include "tests/support/geometric_methods.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::symplectic_test {
 namespace {
 
 double determinant(const AnyMethod& method, double h) {
@@ -182,4 +182,4 @@ TEST(Symplectic, TheDriftOfRungeKuttaIsTheOneOfTheTheory) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::symplectic_test

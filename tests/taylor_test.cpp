@@ -7,7 +7,7 @@
 #include "tests/support/probe_families.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::taylor_test {
 namespace {
 
 /// One equation, made of every operation a tape has. Each solution through (0, y0) is known.
@@ -162,4 +162,4 @@ TEST(Taylor, ARejectedStepCostsNoSeries) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::taylor_test

@@ -9,7 +9,7 @@
 #include "reference/bad_input.hpp"
 #include "tests/support/runs.hpp"
 
-namespace odemark {
+namespace odemark::tiers_test {
 namespace {
 
 /// Every preset, and the first one with each of its parameters moved a little, as far as that is allowed.
@@ -102,4 +102,4 @@ TEST(Tiers, EveryMarkedPairThatAppliesIsThereAndNoOther) {
 }
 
 }  // namespace
-}  // namespace odemark
+}  // namespace odemark::tiers_test

@@ -10,10 +10,9 @@
 #include "problems/oscillator.hpp"
 #include "reference/contestants.hpp"
 #include "reference/make_family.hpp"
+#include "tests/support/print_method.hpp"
 
 namespace odemark {
-
-inline void PrintTo(const AnyMethod& method, std::ostream* out) { *out << method.id; }
 
 namespace probe {
 

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <ostream>
 
 #include "bench/registry.hpp"
 #include "bench/run.hpp"
+#include "tests/support/print_method.hpp"
 
 namespace odemark {
-
-inline void PrintTo(const AnyMethod& method, std::ostream* out) { *out << method.id; }
 
 template <class T>
 bool can_run(const AnyMethod& method, const AnyProblem& problem) {
