@@ -5,7 +5,7 @@ option(ODEMARK_WITH_ODEINT "Boost.odeint as contestants" ON)
 option(ODEMARK_NATIVE "Peak speed: -march=native with contraction; rows say so and are never compared bit for bit" OFF)
 option(ODEMARK_STATIC_TIER "Compile the methods marked static into the steps of the families marked static" ON)
 option(ODEMARK_PCH "Precompile the headers that most files share" ON)
-option(ODEMARK_UNITY "Compile files that gain nothing from -O3 eight at a time: OFF rebuilds less after an edit" ON)
+option(ODEMARK_UNITY "Compile files that gain nothing from -O3 sixteen at a time: OFF rebuilds less after an edit" ON)
 option(ODEMARK_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
 # repeated builds in a tenth of the time, where ccache is installed

@@ -39,18 +39,29 @@ struct RootedTree {
 };
 
 /// b . Phi(tree) - 1 / gamma(tree) and the sum of the absolute values of what was added (its rounding scale).
-/// E. Hairer, S. P. Norsett, G. Wanner, Solving ODEs I, II.2.
-template <std::size_t S>
 struct TreeResidual {
   Coefficient residual = 0, size = 0;
 
-  constexpr TreeResidual(const std::array<std::array<Coefficient, S>, S>& a,
-                         const std::array<Coefficient, S>& b, const RootedTree& tree) {
-    std::array<std::array<Coefficient, S>, highest_tree_order> weight{}, magnitude{};
+  constexpr bool vanishes(std::size_t stages) const {
+    return within(1e-17L * Coefficient(stages));
+  }  // 200 s u
+  constexpr bool within(Coefficient share) const {
+    return residual <= share * size && residual >= -share * size;
+  }
+};
+
+/// Phi(tree) stage by stage, the same of absolute values, and gamma(tree): E. Hairer, S. P. Norsett, G.
+/// Wanner, Solving ODEs I, II.2.
+template <std::size_t S>
+struct TreeWeights {
+  std::array<Coefficient, S> weight{}, magnitude{};
+  Coefficient gamma = 1;
+
+  constexpr TreeWeights(const std::array<std::array<Coefficient, S>, S>& a, const RootedTree& tree) {
+    std::array<std::array<Coefficient, S>, highest_tree_order> weights{}, magnitudes{};
     std::array<int, highest_tree_order> subtree{};
-    for (auto& w : weight) w.fill(1);
-    for (auto& w : magnitude) w.fill(1);
-    Coefficient gamma = 1;
+    for (auto& w : weights) w.fill(1);
+    for (auto& w : magnitudes) w.fill(1);
     for (int node = tree.order - 1; node >= 0; --node) {
       const auto n = std::size_t(node);
       gamma *= Coefficient(++subtree[n]);
@@ -60,23 +71,25 @@ struct TreeResidual {
       for (std::size_t i = 0; i < S; ++i) {
         Coefficient sum = 0, absolute = 0;
         for (std::size_t j = 0; j < S; ++j) {
-          sum += a[i][j] * weight[n][j];
-          absolute += (a[i][j] < 0 ? -a[i][j] : a[i][j]) * magnitude[n][j];
+          if (a[i][j] == 0) continue;  // most of an explicit tableau
+          sum += a[i][j] * weights[n][j];
+          absolute += (a[i][j] < 0 ? -a[i][j] : a[i][j]) * magnitudes[n][j];
         }
-        weight[up][i] *= sum;
-        magnitude[up][i] *= absolute;
+        weights[up][i] *= sum;
+        magnitudes[up][i] *= absolute;
       }
     }
-    for (std::size_t i = 0; i < S; ++i) {
-      residual += b[i] * weight[0][i];
-      size += (b[i] < 0 ? -b[i] : b[i]) * magnitude[0][i];
-    }
-    residual -= 1 / gamma;
-    size += 1 / gamma;
+    weight = weights[0], magnitude = magnitudes[0];
   }
-  constexpr bool vanishes() const { return within(1e-17L * Coefficient(S)); }  // 200 s u
-  constexpr bool within(Coefficient share) const {
-    return residual <= share * size && residual >= -share * size;
+  constexpr TreeResidual against(const std::array<Coefficient, S>& b) const {
+    TreeResidual r;
+    for (std::size_t i = 0; i < S; ++i) {
+      r.residual += b[i] * weight[i];
+      r.size += (b[i] < 0 ? -b[i] : b[i]) * magnitude[i];
+    }
+    r.residual -= 1 / gamma;
+    r.size += 1 / gamma;
+    return r;
   }
 };
 
@@ -88,7 +101,7 @@ constexpr int algebraic_order(const std::array<std::array<Coefficient, S>, S>& a
   for (int order = 1; order <= highest; ++order) {
     auto tree = RootedTree::tallest(order);
     do {
-      if (!TreeResidual<S>(a, b, tree).vanishes()) return order - 1;
+      if (!TreeWeights<S>(a, tree).against(b).vanishes(S)) return order - 1;
     } while (tree.advance());
   }
   return highest;
@@ -116,12 +129,12 @@ constexpr int dense_order_of(const Method& m, int highest) {
   for (int order = 1; order <= highest; ++order) {
     auto tree = RootedTree::tallest(order);
     do {
-      const Coefficient minus_inverse_gamma = TreeResidual<Total>(a, Weights{}, tree).residual;
+      const TreeWeights<Total> phi(a, tree);
       for (std::size_t k = 0; k < degree; ++k) {
         Weights column{};
         for (std::size_t j = 0; j < Total; ++j) column[j] = m.dense[j][k];
-        TreeResidual<Total> power(a, column, tree);
-        if (int(k) + 1 != order) power.residual -= minus_inverse_gamma;
+        TreeResidual power = phi.against(column);
+        if (int(k) + 1 != order) power.residual += 1 / phi.gamma;
         if (!power.within(2 * Coefficient(order) * unit)) return order - 1;
       }
     } while (tree.advance());

@@ -102,7 +102,7 @@ double largest(const Trajectory& curve) {
 }
 
 std::string caption_of(const ChapterData& data, const ChapterFigure& figure) {
-  const std::string spring = fmt::format(
+  const std::string on_spring = fmt::format(
       "k = {} N/m, m = {} kg (the chapter prints neither), dt = {} s, released at 1 m. ",
       compact(data.oscillator_k, 6), compact(data.oscillator_m, 6), compact(data.oscillator_dt, 6));
   if (figure.number == "7-1") {
@@ -129,13 +129,13 @@ std::string caption_of(const ChapterData& data, const ChapterFigure& figure) {
         compact(figure.from, 3), compact(figure.to, 3), significant(first_gap(figure, 1), 3),
         significant(last_gap(figure, 1), 3));
   if (figure.number == "7-5")
-    return spring + fmt::format(
-                        "Explicit Euler (both updates with old values) grows to {} m in six periods. The "
-                        "chapter's own "
-                        "listing, which moves the position with the new velocity, does not grow: its largest "
-                        "displacement here is {} m.",
-                        significant(largest(figure.curves.at(1)), 3),
-                        significant(largest(figure.curves.at(2)), 4));
+    return on_spring +
+           fmt::format(
+               "Explicit Euler (both updates with old values) grows to {} m in six periods. The "
+               "chapter's own "
+               "listing, which moves the position with the new velocity, does not grow: its largest "
+               "displacement here is {} m.",
+               significant(largest(figure.curves.at(1)), 3), significant(largest(figure.curves.at(2)), 4));
   if (figure.number == "7-6")
     return "Improved Euler and Runge–Kutta lie on the exact curve: they cannot be told from it by eye.";
   if (figure.number == "7-7")
@@ -143,11 +143,11 @@ std::string caption_of(const ChapterData& data, const ChapterFigure& figure) {
         "In the zoom too: at {} s Euler is {} m/s off, improved Euler {} m/s, Runge–Kutta {} m/s.",
         compact(figure.to, 3), significant(std::abs(last_gap(figure, 1)), 2),
         significant(std::abs(last_gap(figure, 2)), 2), significant(std::abs(last_gap(figure, 3)), 2));
-  return spring + fmt::format(
-                      "Both look like the same regular sine over six periods. Improved Euler's largest "
-                      "displacement is {} m, Runge–Kutta's {} m: claim 5 says how long this lasts.",
-                      significant(largest(figure.curves.at(1)), 4),
-                      significant(largest(figure.curves.at(2)), 4));
+  return on_spring + fmt::format(
+                         "Both look like the same regular sine over six periods. Improved Euler's largest "
+                         "displacement is {} m, Runge–Kutta's {} m: claim 5 says how long this lasts.",
+                         significant(largest(figure.curves.at(1)), 4),
+                         significant(largest(figure.curves.at(2)), 4));
 }
 
 }  // namespace

@@ -53,11 +53,11 @@ std::string legend_html(const Chart& chart) {
 }
 
 std::string decimation_note(const Chart& chart) {
-  std::size_t longest = 0;
-  for (const Series& series : chart.series) longest = std::max(longest, series.points.size());
-  if (longest <= points_per_series) return {};
+  std::size_t most_points = 0;
+  for (const Series& series : chart.series) most_points = std::max(most_points, series.points.size());
+  if (most_points <= points_per_series) return {};
   return fmt::format("Drawn with at most {} of up to {} points per series; all extremes are kept.",
-                     points_per_series, longest);
+                     points_per_series, most_points);
 }
 
 }  // namespace

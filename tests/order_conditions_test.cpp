@@ -126,7 +126,7 @@ double principal_error_norm(const std::array<std::array<Coefficient, S>, S>& a,
   auto tree = RootedTree::tallest(order + 1);
   do {
     const std::vector<int> levels(tree.level.begin(), tree.level.begin() + tree.order);
-    const double term = double(TreeResidual<S>(a, b, tree).residual) / double(symmetry(levels));
+    const double term = double(TreeWeights<S>(a, tree).against(b).residual) / double(symmetry(levels));
     squares += term * term;
   } while (tree.advance());
   return std::sqrt(squares);
@@ -142,7 +142,7 @@ TEST(OrderConditions, SymmetriesSumToTheTreesOfEveryLabelling) {
       const std::vector<int> levels(tree.level.begin(), tree.level.begin() + tree.order);
       const std::array<std::array<Coefficient, 1>, 1> a{};
       const std::array<Coefficient, 1> b{};
-      const double inverse_gamma = -double(TreeResidual<1>(a, b, tree).residual);
+      const double inverse_gamma = -double(TreeWeights<1>(a, tree).against(b).residual);
       sum += factorial * inverse_gamma / double(symmetry(levels));
     } while (tree.advance());
     EXPECT_NEAR(sum, factorial / order, 1e-9 * factorial) << "of order " << order;

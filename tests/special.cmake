@@ -1,19 +1,19 @@
 # Tests that are more than one executable: several builds compared, a program driven, instructions counted.
 
-# equal bits across -O levels and compilers
-set(bits_sources support/final_bits.cpp ${PROJECT_SOURCE_DIR}/integrators/shifted_lu.cpp
-  ${PROJECT_SOURCE_DIR}/integrators/stage_modes.cpp)
-set(bits_programs)
-foreach(level 0 3)
-  add_executable(final_bits_o${level} ${bits_sources})
-  target_link_libraries(final_bits_o${level} PRIVATE odemark::numbers odemark_warnings Eigen3::Eigen)
-  target_include_directories(final_bits_o${level} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_options(final_bits_o${level} PRIVATE -O${level})
-  target_compile_definitions(final_bits_o${level} PRIVATE FMT_HEADER_ONLY)
-  list(APPEND bits_programs $<TARGET_FILE:final_bits_o${level}>)
-endforeach()
+# equal bits across -O levels and compilers: the library as it is built, the same runs compiled without optimisation, and by
+# the other compiler, where there is one, at the level in between
 if(NOT ODEMARK_NATIVE)
-  # the other compiler, where there is one, at the level in between
+  set(bits_sources support/final_bits.cpp ${PROJECT_SOURCE_DIR}/integrators/shifted_lu.cpp
+    ${PROJECT_SOURCE_DIR}/integrators/stage_modes.cpp)
+  add_executable(final_bits_of_library support/final_bits_of_library.cpp)
+  odemark_compile_test(final_bits_of_library)
+  target_link_libraries(final_bits_of_library PRIVATE odemark::bench odemark_warnings)
+  add_executable(final_bits_o0 ${bits_sources})
+  target_link_libraries(final_bits_o0 PRIVATE odemark::numbers odemark_warnings Eigen3::Eigen)
+  target_include_directories(final_bits_o0 PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_options(final_bits_o0 PRIVATE -O0)
+  target_compile_definitions(final_bits_o0 PRIVATE FMT_HEADER_ONLY)
+  set(bits_programs $<TARGET_FILE:final_bits_of_library> $<TARGET_FILE:final_bits_o0>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     find_program(ODEMARK_OTHER_COMPILER NAMES clang++-14 clang++)
   else()
@@ -22,17 +22,17 @@ if(NOT ODEMARK_NATIVE)
   if(ODEMARK_OTHER_COMPILER)
     set(other ${CMAKE_CURRENT_BINARY_DIR}/final_bits_other)
     list(TRANSFORM bits_sources REPLACE "^support" "${CMAKE_CURRENT_SOURCE_DIR}/support" OUTPUT_VARIABLE other_sources)
-    add_custom_command(OUTPUT ${other} DEPENDS ${bits_sources} final_bits_o3
+    add_custom_command(OUTPUT ${other} DEPENDS ${bits_sources} final_bits_o0  # its headers too
       COMMAND ${ODEMARK_OTHER_COMPILER} -std=c++20 -O2 -ffp-contract=off -DEIGEN_FAST_MATH=0 -DNDEBUG -DFMT_HEADER_ONLY
         -I${PROJECT_SOURCE_DIR} "-isystem;$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,;-isystem;>"
         ${other_sources} -o ${other} COMMAND_EXPAND_LISTS VERBATIM)
     add_custom_target(final_bits_other_compiler ALL DEPENDS ${other})
     list(APPEND bits_programs ${other})
   endif()
+  add_test(NAME same_bits_everywhere COMMAND ${CMAKE_COMMAND} "-DPROGRAMS=${bits_programs}"
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/support/compare_bits.cmake)
+  set_tests_properties(same_bits_everywhere PROPERTIES LABELS unit TIMEOUT 120)
 endif()
-add_test(NAME same_bits_everywhere COMMAND ${CMAKE_COMMAND} "-DPROGRAMS=${bits_programs}"
-  -P ${CMAKE_CURRENT_SOURCE_DIR}/support/compare_bits.cmake)
-set_tests_properties(same_bits_everywhere PROPERTIES LABELS unit TIMEOUT 120)
 
 # a wrong coefficient does not compile
 add_test(NAME wrong_tableau_does_not_compile COMMAND ${CMAKE_COMMAND} -DCXX=${CMAKE_CXX_COMPILER}

@@ -1,7 +1,6 @@
-// Prints the bits that a few methods end in: built at several -O levels and by several compilers, the lines
-// must agree.
-#include <cstdio>
-#include <cstring>
+// Prints the bits that a few methods end in, compiled for the purpose: at another -O level and by another
+// compiler than the library, the lines must agree.
+#include "tests/support/final_bits.hpp"
 
 #include "integrators/integrate.hpp"
 #include "integrators/methods/adams_bashforth3.hpp"
@@ -28,17 +27,6 @@
 namespace {
 
 using namespace odemark;
-
-template <class T>
-void print_bits(const char* problem, std::string_view method, const char* type, const std::vector<T>& y) {
-  std::printf("%s/%.*s/%s", problem, int(method.size()), method.data(), type);
-  for (const T& x : y) {
-    unsigned long long bits = 0;
-    std::memcpy(&bits, &x, sizeof(T));
-    std::printf(" %016llx", bits);
-  }
-  std::printf("\n");
-}
 
 template <const auto& method, class T, class F>
 void print_end(const char* problem, const char* type, const F& family, long steps) {
