@@ -262,6 +262,17 @@ if(ODEMARK_STATIC_TIER)
     endforeach()
   endforeach()
 endif()
+set(headers "")
+foreach(method ${ODEMARK_STATIC_METHODS})
+  if(NOT static_families_of_${method})
+    string(APPEND headers "#include \"integrators/methods/${file_of_${method}}.hpp\"\n")
+  endif()
+endforeach()
+odemark_write(${ODEMARK_GENERATED}/include/bench/static_headers.hpp
+"// What every unit of the static tier includes.
+#pragma once
+#include \"bench/make_static_runs.hpp\"
+${headers}")
 odemark_write(${ODEMARK_GENERATED}/suite_static_runs.cpp
 "#include \"bench/static_run.hpp\"
 namespace odemark {

@@ -89,6 +89,10 @@ file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
 odemark_library(bench SOURCES ${ODEMARK_STATIC_UNITS} LIGHT ${bench_sources} PRECOMPILE ${ODEMARK_COMMON_HEADERS}
   LINK odemark::reference ${ODEMARK_CONTESTANTS} Threads::Threads nlohmann_json::nlohmann_json)
 
+if(ODEMARK_STATIC_TIER)
+  odemark_precompile(odemark_bench ${ODEMARK_GENERATED}/include/bench/static_headers.hpp)
+endif()
+
 # What a results file says of the build: the commit if there is one, and the flags that matter to numbers.
 execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} describe --always --dirty
   OUTPUT_VARIABLE ODEMARK_REVISION OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)

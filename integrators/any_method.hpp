@@ -45,10 +45,10 @@ struct MethodRuns {
   using WithStepper = void(const ErasedSystem<T>&, const std::vector<T>& model, void* context,
                            void (*use)(void* context, ErasedStepper<T>));
 
-  Solve* solve = nullptr;
-  SolveTraced* solve_traced = nullptr;
-  Transition* transition = nullptr;
-  WithStepper* with_stepper = nullptr;  // for double only: single steps, as tests take them
+  std::function<Solve> solve;
+  std::function<SolveTraced> solve_traced;
+  std::function<Transition> transition;
+  WithStepper* with_stepper = nullptr;
 };
 
 struct AnyMethod {

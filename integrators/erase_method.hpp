@@ -46,62 +46,34 @@ RunReport solve(const P& system, const Control& control, double t0, double t1, t
   }
 }
 
-/// The same numbers from the loop that all methods share.
+/// Of methods that drive themselves; the others share a loop.
 template <const auto& method, class T>
-RunReport solve_shared(const ErasedSystem<T>& system, const Control& control, double t0, double t1,
-                       std::vector<T>& y) {
-  if constexpr (HasDriver<method, ErasedSystem<T>>) {
-    return solve<method>(system, control, t0, t1, y);
-  } else {
-    StepperOf<method, ErasedSystem<T>> stepper(system, y);
-    return solve_erased(ErasedStepper<T>(engine_of(stepper)), system, control, error_order_if_any<method>(),
-                        t0, t1, y);
-  }
-}
-
-template <const auto& method, class T>
-RunReport solve_traced(const ErasedSystem<T>& counted, const ErasedSystem<T>& bare, const Control& control,
+RunReport drive_traced(const ErasedSystem<T>& counted, const ErasedSystem<T>& bare, const Control& control,
                        double t0, double t1, std::vector<T>& y, Trace<T>& trace) {
   StepperOf<method, ErasedSystem<T>> between(bare, y);
   ErasedStepper<T> side(engine_of(between));
-  if constexpr (HasDriver<method, ErasedSystem<T>>) {
-    GridSampler sampler(side, bare.size, t0, t1, y, trace);
-    return KindOf<method>::template drive<method>(counted, control, t0, t1, y, sampler);
-  } else {
-    StepperOf<method, ErasedSystem<T>> stepper(counted, y);
-    return solve_erased_traced(ErasedStepper<T>(engine_of(stepper)), side, counted, control,
-                               error_order_if_any<method>(), t0, t1, y, trace);
-  }
-}
-
-template <const auto& method, class T>
-TransitionMatrix<T> transition(const ErasedSystem<T>& homogeneous, T h) {
-  StepperOf<method, ErasedSystem<T>> stepper(homogeneous, std::vector<T>(homogeneous.size, T(0)));
-  return transition_of(ErasedStepper<T>(engine_of(stepper)), homogeneous.size, h);
+  GridSampler sampler(side, bare.size, t0, t1, y, trace);
+  return KindOf<method>::template drive<method>(counted, control, t0, t1, y, sampler);
 }
 
 template <const auto& method, class T>
 void with_stepper(const ErasedSystem<T>& system, const std::vector<T>& model, void* context,
                   void (*use)(void*, ErasedStepper<T>)) {
   StepperOf<method, ErasedSystem<T>> stepper(system, model);
-  use(context, ErasedStepper<T>(stepper));
+  use(context, ErasedStepper<T>(engine_of(stepper)));
 }
 
 template <const auto& method, class T>
-MethodRuns<T> runs_of() {
+void set_runs_of(MethodRuns<T>& runs) {
   using E = ErasedSystem<T>;
-  MethodRuns<T> runs;
   if constexpr (Applicable<method, E>) {
-    // double is what is timed
-    if constexpr (std::is_same_v<T, double>)
-      runs.solve = solve<method, E>, runs.with_stepper = with_stepper<method, T>;
-    else
-      runs.solve = solve_shared<method, T>;
-    runs.solve_traced = solve_traced<method, T>;
-    if constexpr (!HasDriver<method, E> && !requires { KindOf<method>::has_transition; })
-      runs.transition = transition<method, T>;
+    set_runs<T>(runs, with_stepper<method, T>, error_order_if_any<method>());
+    if constexpr (requires { KindOf<method>::has_transition; }) runs.transition = nullptr;
+    // double is what is timed, in a loop of its own: the same numbers
+    if constexpr (std::is_same_v<T, double> || HasDriver<method, E>) runs.solve = solve<method, E>;
+    if constexpr (HasDriver<method, E>)
+      runs.solve_traced = drive_traced<method, T>, runs.transition = nullptr;
   }
-  return runs;
 }
 
 template <const auto& method>
@@ -113,7 +85,7 @@ AnyMethod erase_method() {
   any.order = method.order, any.embedded_order = method.embedded_order, any.needs = Kind::needs;
   if constexpr (requires { method.more_needs(); }) any.needs |= method.more_needs();
   any.theory = [] { return method.theory(); };
-  any.by_type = {runs_of<method, float>(), runs_of<method, double>(), runs_of<method, long double>()};
+  std::apply([]<class... T>(MethodRuns<T>&... runs) { (set_runs_of<method, T>(runs), ...); }, any.by_type);
   if constexpr (requires { method.order_with_rate_torque; })
     any.order_with_rate_torque = method.order_with_rate_torque;
   if constexpr (requires { method.note; }) any.note = method.note;

@@ -16,31 +16,7 @@ RunReport run(ErasedStepper<T>& stepper, const ErasedSystem<T>& system, const Co
   return no_error_estimate(t0);
 }
 
-}  // namespace
-
-RunReport no_error_estimate(double t0) {
-  RunReport report;
-  report.status = RunStatus::not_applicable;
-  report.reason = "has no error estimate: give a fixed number of steps";
-  report.t_reached = t0;
-  return report;
-}
-
-template <class T>
-RunReport solve_erased(ErasedStepper<T> stepper, const ErasedSystem<T>& system, const Control& control,
-                       int error_order, double t0, double t1, std::vector<T>& y) {
-  NoObserver nobody;
-  return run(stepper, system, control, error_order, t0, t1, y, nobody);
-}
-
-template <class T>
-RunReport solve_erased_traced(ErasedStepper<T> stepper, ErasedStepper<T> side, const ErasedSystem<T>& system,
-                              const Control& control, int error_order, double t0, double t1,
-                              std::vector<T>& y, Trace<T>& trace) {
-  GridSampler sampler(side, y.size(), t0, t1, y, trace);
-  return run(stepper, system, control, error_order, t0, t1, y, sampler);
-}
-
+/// Where the unit vectors go in one step of h on a linear homogeneous system of `n` components.
 template <class T>
 TransitionMatrix<T> transition_of(ErasedStepper<T> stepper, std::size_t n, T h) {
   std::vector<T> y(n, T(0)), next(n, T(0)), error(n, T(0));
@@ -65,21 +41,64 @@ TransitionMatrix<T> transition_of(ErasedStepper<T> stepper, std::size_t n, T h) 
   return matrix;
 }
 
+/// `with_stepper` of a method, called with anything that takes a stepper.
+template <class T, class Use>
+void with_stepper(typename MethodRuns<T>::WithStepper* method, const ErasedSystem<T>& system,
+                  const std::vector<T>& model, Use use) {
+  method(system, model, &use,
+         [](void* context, ErasedStepper<T> stepper) { (*static_cast<Use*>(context))(stepper); });
+}
+
+}  // namespace
+
+RunReport no_error_estimate(double t0) {
+  RunReport report;
+  report.status = RunStatus::not_applicable;
+  report.reason = "has no error estimate: give a fixed number of steps";
+  report.t_reached = t0;
+  return report;
+}
+
+template <class T>
+void set_runs(MethodRuns<T>& runs, typename MethodRuns<T>::WithStepper* method, int error_order) {
+  runs.with_stepper = method;
+  runs.solve = [=](const ErasedSystem<T>& system, const Control& control, double t0, double t1,
+                   std::vector<T>& y) {
+    RunReport report;
+    with_stepper<T>(method, system, y, [&](ErasedStepper<T> stepper) {
+      NoObserver nobody;
+      report = run(stepper, system, control, error_order, t0, t1, y, nobody);
+    });
+    return report;
+  };
+  // a second stepper, on the uncounted system, makes the values between steps
+  runs.solve_traced = [=](const ErasedSystem<T>& counted, const ErasedSystem<T>& bare, const Control& control,
+                          double t0, double t1, std::vector<T>& y, Trace<T>& trace) {
+    RunReport report;
+    with_stepper<T>(method, bare, y, [&](ErasedStepper<T> side) {
+      with_stepper<T>(method, counted, y, [&](ErasedStepper<T> stepper) {
+        GridSampler sampler(side, y.size(), t0, t1, y, trace);
+        report = run(stepper, counted, control, error_order, t0, t1, y, sampler);
+      });
+    });
+    return report;
+  };
+  runs.transition = [=](const ErasedSystem<T>& homogeneous, T h) {
+    TransitionMatrix<T> matrix;
+    with_stepper<T>(method, homogeneous, std::vector<T>(homogeneous.size, T(0)),
+                    [&](ErasedStepper<T> stepper) { matrix = transition_of(stepper, homogeneous.size, h); });
+    return matrix;
+  };
+}
+
 template double first_step(const ErasedSystem<float>&, const ErrorControl&, int, double, double,
                            const std::vector<float>&);
 template double first_step(const ErasedSystem<double>&, const ErrorControl&, int, double, double,
                            const std::vector<double>&);
 template double first_step(const ErasedSystem<long double>&, const ErrorControl&, int, double, double,
                            const std::vector<long double>&);
-#define ODEMARK_NUMBER(T)                                                                                  \
-  template RunReport solve_erased(ErasedStepper<T>, const ErasedSystem<T>&, const Control&, int, double,   \
-                                  double, std::vector<T>&);                                                \
-  template RunReport solve_erased_traced(ErasedStepper<T>, ErasedStepper<T>, const ErasedSystem<T>&,       \
-                                         const Control&, int, double, double, std::vector<T>&, Trace<T>&); \
-  template TransitionMatrix<T> transition_of(ErasedStepper<T>, std::size_t, T);
-ODEMARK_NUMBER(float)
-ODEMARK_NUMBER(double)
-ODEMARK_NUMBER(long double)
-#undef ODEMARK_NUMBER
+template void set_runs(MethodRuns<float>&, MethodRuns<float>::WithStepper*, int);
+template void set_runs(MethodRuns<double>&, MethodRuns<double>::WithStepper*, int);
+template void set_runs(MethodRuns<long double>&, MethodRuns<long double>::WithStepper*, int);
 
 }  // namespace odemark

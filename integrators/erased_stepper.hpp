@@ -139,21 +139,9 @@ extern template double first_step(const ErasedSystem<long double>&, const ErrorC
 /// What error control gets from a method without an estimate.
 RunReport no_error_estimate(double t0);
 
-/// One run under either control; error_order 0 says that there is no estimate, and error control is then not
-/// applicable.
+/// What follows from a method's stepper alone, in loops that all methods share. error_order 0 says that there
+/// is no estimate: error control is then not applicable.
 template <class T>
-RunReport solve_erased(ErasedStepper<T> stepper, const ErasedSystem<T>& system, const Control& control,
-                       int error_order, double t0, double t1, std::vector<T>& y);
-
-/// The same with a trace. `side` is a second stepper of the same method on the uncounted system: it makes the
-/// values between steps.
-template <class T>
-RunReport solve_erased_traced(ErasedStepper<T> stepper, ErasedStepper<T> side, const ErasedSystem<T>& system,
-                              const Control& control, int error_order, double t0, double t1,
-                              std::vector<T>& y, Trace<T>& trace);
-
-/// Where the unit vectors go in one step of h on a linear homogeneous system of `n` components.
-template <class T>
-TransitionMatrix<T> transition_of(ErasedStepper<T> stepper, std::size_t n, T h);
+void set_runs(MethodRuns<T>& runs, typename MethodRuns<T>::WithStepper* with_stepper, int error_order);
 
 }  // namespace odemark

@@ -63,7 +63,8 @@ ensure_packages() {
   done
 }
 
-# Configures and builds. $1: preset; further arguments go to the build (--target ...).
+# Configures and builds. $1: preset; further arguments go to the build (--target ...). One compiler for each processor: ninja's
+# one or two more only push each other out of the caches.
 build_preset() {
   local preset=$1
   shift
@@ -71,7 +72,7 @@ build_preset() {
   say "configuring build/$preset"
   (cd "$root" && cmake --preset "$preset") >&2 || fail $? "the configuration of build/$preset failed; the reason is above"
   say "building build/$preset (the first time takes some minutes)"
-  (cd "$root" && cmake --build --preset "$preset" "$@") >&2 || fail $? "the build of build/$preset failed; the first error is above"
+  (cd "$root" && cmake --build --preset "$preset" -j "$(nproc)" "$@") >&2 || fail $? "the build of build/$preset failed; the first error is above"
 }
 
 # Takes --no-install and --sanitize out of the arguments: sets `install`, `sanitize` and the array `arguments`.
