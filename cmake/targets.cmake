@@ -43,7 +43,6 @@ list(FILTER once_per_method INCLUDE REGEX "/(linear_stability[a-z_]*|eigenvalues
 list(REMOVE_ITEM integrators_sources ${once_per_method})
 odemark_library(integrators SOURCES ${integrators_sources} ${ODEMARK_METHOD_UNITS} LIGHT ${once_per_method} LINK Eigen3::Eigen
   PRECOMPILE ${ODEMARK_COMMON_HEADERS} <complex>)
-set_target_properties(odemark_integrators_light PROPERTIES UNITY_BUILD OFF)  # what they instantiate is mostly their own
 target_link_libraries(odemark_integrators PRIVATE $<BUILD_INTERFACE:Boost::headers>)
 
 # what every unit of a method parses: two thirds of the time of a small one

@@ -3,17 +3,12 @@
 #include <cmath>
 
 #include "integrators/facts_parts.hpp"
+#include "integrators/linear_stability_parts.hpp"
 #include "integrators/step_control.hpp"
 
 namespace odemark::detail {
 
 namespace {
-
-WideComplex at(const std::vector<Coefficient>& p, WideComplex z) {
-  WideComplex sum = 0;
-  for (std::size_t k = p.size(); k-- > 0;) sum = sum * z + p[k];
-  return sum;
-}
 
 std::vector<Coefficient> slope(const std::vector<Coefficient>& p) {
   std::vector<Coefficient> out;
@@ -30,14 +25,17 @@ std::map<std::string, Coefficient> controller_radii(const Theory& main, const Th
                                                     int control_order) {
   const WideComplex z = x;
   const auto &p = main.numerator, &q = main.denominator;
-  const WideComplex u = z * (at(slope(p), z) / at(p, z) - at(slope(q), z) / at(q, z));
+  const WideComplex u = z * (value_at(slope(p), z) / value_at(p, z) - value_at(slope(q), z) / value_at(q, z));
   // R^ - R = (P^ Q - P Q^) / (Q Q^); for explicit pairs both denominators are 1
   const auto difference = [&](WideComplex w) {
-    return at(embedded.numerator, w) / at(embedded.denominator, w) - at(p, w) / at(q, w);
+    return value_at(embedded.numerator, w) / value_at(embedded.denominator, w) -
+           value_at(p, w) / value_at(q, w);
   };
   const auto derivative = [&](const Theory& t) {
-    const WideComplex d = at(t.denominator, z);
-    return (at(slope(t.numerator), z) * d - at(t.numerator, z) * at(slope(t.denominator), z)) / d / d;
+    const WideComplex d = value_at(t.denominator, z);
+    return (value_at(slope(t.numerator), z) * d -
+            value_at(t.numerator, z) * value_at(slope(t.denominator), z)) /
+           d / d;
   };
   const WideComplex v = z * (derivative(embedded) - derivative(main)) / difference(z);
   std::map<std::string, Coefficient> out;

@@ -10,8 +10,6 @@ namespace odemark::detail {
 
 namespace {
 
-constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
-
 bool is_zero(Coefficient x) { return std::abs(x) < 1e-15L; }
 
 bool is_bdf(const Theory& t) {

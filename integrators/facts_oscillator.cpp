@@ -10,16 +10,13 @@ namespace odemark::detail {
 
 namespace {
 
-using What = SecondOrderMove::What;
-constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
-
-bool is_drift(const SecondOrderMove& m) { return m.what == What::drift; }
+bool is_drift(const SecondOrderMove& m) { return m.what == SecondOrderMove::What::drift; }
 
 /// Without a velocity in the force all kicks are one, but that of the start once the position has moved.
 bool uses_old_force(const std::vector<SecondOrderMove>& moves) {
   bool moved = false;
   for (const auto& m : moves) {
-    if (m.what == What::kick_start && moved) return true;
+    if (m.what == SecondOrderMove::What::kick_start && moved) return true;
     moved = moved || is_drift(m);
   }
   return false;
@@ -39,35 +36,36 @@ int evaluations(const std::vector<SecondOrderMove>& moves) {
       moved = true;
       continue;
     }
-    const bool of_start = m.what == What::kick_start || !moved;
+    const bool of_start = m.what == SecondOrderMove::What::kick_start || !moved;
     kicks += !(of_start && start_known);
     start_known = start_known || of_start;
   }
   // the last force is the first of the next step where both see the velocity that is current
-  return kicks - (moves.size() > 1 && moves.front().what == What::kick && moves.back().what == What::kick);
+  return kicks - (moves.size() > 1 && moves.front().what == SecondOrderMove::What::kick &&
+                  moves.back().what == SecondOrderMove::What::kick);
 }
 
 using Numbers = std::vector<Coefficient>;
-constexpr std::size_t terms = 20;  // in z^2
+constexpr std::size_t kept_powers = 20;  // of z^2
 
 Numbers even_part(const RealPolynomial& p) {
-  Numbers out(terms, 0);
-  for (std::size_t k = 0; k < p.value.size() && k / 2 < terms; k += 2) out[k / 2] = p.value[k];
+  Numbers out(kept_powers, 0);
+  for (std::size_t k = 0; k < p.value.size() && k / 2 < kept_powers; k += 2) out[k / 2] = p.value[k];
   return out;
 }
 
 Numbers times(const Numbers& a, const Numbers& b) {
-  Numbers out(terms, 0);
-  for (std::size_t i = 0; i < terms; ++i)
-    for (std::size_t j = 0; i + j < terms; ++j) out[i + j] += a[i] * b[j];
+  Numbers out(kept_powers, 0);
+  for (std::size_t i = 0; i < kept_powers; ++i)
+    for (std::size_t j = 0; i + j < kept_powers; ++j) out[i + j] += a[i] * b[j];
   return out;
 }
 
 /// a^power of a series that begins with 1.
 Numbers to_power(const Numbers& a, Coefficient power) {
-  Numbers out(terms, 0);
+  Numbers out(kept_powers, 0);
   out[0] = 1;
-  for (std::size_t n = 1; n < terms; ++n) {
+  for (std::size_t n = 1; n < kept_powers; ++n) {
     for (std::size_t k = 1; k <= n; ++k)
       out[n] += (power * Coefficient(k) - Coefficient(n - k)) * a[k] * out[n - k];
     out[n] /= Coefficient(n);
@@ -81,30 +79,30 @@ void add_series(const Theory& theory, StabilityFacts& facts) {
   const auto m = step_matrix(theory, 1, 0);
   const Numbers q = even_part(m.denominator), inverse = to_power(q, -1);
   const Numbers determinant = times(even_part(m.determinant), times(inverse, inverse));
-  for (std::size_t k = 1; k < terms && !facts.log_amplification; ++k)
+  for (std::size_t k = 1; k < kept_powers && !facts.log_amplification; ++k)
     if (std::abs(determinant[k]) > 1e-14L) facts.log_amplification = PowerLaw{determinant[k] / 2, int(2 * k)};
   if (!facts.log_amplification)
     facts.log_amplification = Fact<PowerLaw>::none("amplitudes of oscillations are kept");
   Numbers u = times(times(even_part(m.trace), inverse), to_power(determinant, -0.5L));
   for (auto& x : u) x = -x;
   u[0] += 2;
-  Numbers square(terms, 0), power = u;  // theta^2
-  Coefficient weight = 1;               // 2 / (k^2 binom(2k, k))
-  for (std::size_t k = 1; k < terms; ++k) {
-    for (std::size_t n = 0; n < terms; ++n) square[n] += weight * power[n];
+  Numbers square(kept_powers, 0), power = u;  // theta^2
+  Coefficient weight = 1;                     // 2 / (k^2 binom(2k, k))
+  for (std::size_t k = 1; k < kept_powers; ++k) {
+    for (std::size_t n = 0; n < kept_powers; ++n) square[n] += weight * power[n];
     power = times(power, u);
     const auto j = Coefficient(k);  // binom(2j + 2, j + 1) = binom(2j, j) 2 (2j + 1) / (j + 1)
     weight *= j * j / ((j + 1) * 2 * (2 * j + 1));
   }
-  Numbers ratio(terms, 0);  // theta^2 / z^2
-  for (std::size_t n = 0; n + 1 < terms; ++n) ratio[n] = square[n + 1];
+  Numbers ratio(kept_powers, 0);  // theta^2 / z^2
+  for (std::size_t n = 0; n + 1 < kept_powers; ++n) ratio[n] = square[n + 1];
   if (std::abs(ratio[0] - 1) > 1e-12L) {
     facts.phase_error = PowerLaw{std::sqrt(ratio[0]) - 1, 1};
     return;
   }
   ratio[0] = 1;
   const Numbers theta = to_power(ratio, 0.5L);
-  for (std::size_t k = 1; k + 1 < terms; ++k)
+  for (std::size_t k = 1; k + 1 < kept_powers; ++k)
     if (std::abs(theta[k]) > 1e-14L) {
       facts.phase_error = PowerLaw{theta[k], int(2 * k + 1)};
       return;

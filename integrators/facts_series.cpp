@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "integrators/facts_parts.hpp"
+#include "integrators/linear_stability_parts.hpp"
 
 namespace odemark::detail {
 
@@ -57,14 +58,6 @@ Series logarithm_of_ratio(const Theory& theory, int order) {
   deviation[0] = 1;
   out = logarithm(deviation);
   for (std::size_t n = 0; n < terms; ++n) out.size[n] = std::max(out.size[n], size[n]);
-  return out;
-}
-
-/// The coefficient of z^k w^j at [k][j] for either form of a multistep method.
-std::vector<std::vector<Coefficient>> characteristic_of(const Theory& theory) {
-  if (!theory.characteristic.empty()) return theory.characteristic;
-  std::vector<std::vector<Coefficient>> out{theory.rho, theory.sigma};
-  for (auto& s : out[1]) s = -s;
   return out;
 }
 

@@ -12,7 +12,6 @@ namespace odemark::detail {
 namespace {
 
 using Matrix = Eigen::Matrix<Coefficient, Eigen::Dynamic, Eigen::Dynamic>;
-constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
 
 /// A with b as one more row.
 Matrix with_weights(std::size_t s, const std::vector<Coefficient>& a, const std::vector<Coefficient>& b) {

@@ -11,8 +11,6 @@ namespace odemark::detail {
 
 namespace {
 
-constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
-
 LinearProblem one_eigenvalue(WideComplex lambda) {
   LinearProblem p;
   p.eigenvalues = {lambda}, p.fastest_rate = std::abs(lambda);

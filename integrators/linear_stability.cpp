@@ -11,8 +11,6 @@ namespace odemark {
 
 namespace {
 
-constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
-
 bool has_function(const Theory& t) { return !t.numerator.empty(); }
 using detail::is_multistep;
 bool knows_no_damping(const Theory& t) { return !t.oscillator.xx.empty(); }

@@ -10,9 +10,6 @@ namespace odemark {
 
 namespace {
 
-constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
-constexpr Coefficient unit = std::numeric_limits<Coefficient>::epsilon();
-
 std::vector<Coefficient> product(const std::vector<Coefficient>& a, const std::vector<Coefficient>& b) {
   const auto n = static_cast<std::size_t>(std::lround(std::sqrt(double(a.size()))));
   std::vector<Coefficient> out(n * n, 0);
@@ -37,9 +34,9 @@ std::vector<Coefficient> substepped(const std::vector<Coefficient>& p, int count
 }
 
 bool only_drifts_and_kicks(const std::vector<SecondOrderMove>& moves) {
-  using What = SecondOrderMove::What;
-  return std::all_of(moves.begin(), moves.end(),
-                     [](const SecondOrderMove& m) { return m.what == What::drift || m.what == What::kick; });
+  return std::all_of(moves.begin(), moves.end(), [](const SecondOrderMove& m) {
+    return m.what == SecondOrderMove::What::drift || m.what == SecondOrderMove::What::kick;
+  });
 }
 
 }  // namespace
@@ -54,7 +51,7 @@ std::vector<Coefficient> second_order_matrix(const Theory& theory, Coefficient s
 bool conserves_area(const Theory& theory) {
   for (const Coefficient h : {0.125L, 0.5L, 1.0L, 1.75L}) {
     const auto m = second_order_matrix(theory, 1, 0, h);
-    if (m.size() != 4 || !(std::abs(m[0] * m[3] - m[1] * m[2] - 1) < 32 * unit)) return false;
+    if (m.size() != 4 || !(std::abs(m[0] * m[3] - m[1] * m[2] - 1) < 32 * spacing)) return false;
   }
   return true;
 }
@@ -91,7 +88,7 @@ Coefficient matrix_log_radius(const std::vector<Coefficient>& m) {
     // from half the trace and the determinant, so that a pair that meets on the circle costs no digits
     const Coefficient half = (m[0] + m[3]) / 2, determinant = m[0] * m[3] - m[1] * m[2];
     const Coefficient apart = (m[0] - m[3]) / 2, square = apart * apart + m[1] * m[2];
-    if (square <= 4 * unit * (apart * apart + std::abs(m[1] * m[2])))
+    if (square <= 4 * spacing * (apart * apart + std::abs(m[1] * m[2])))
       return std::log(std::abs(determinant)) / 2;
     largest = std::abs(half) + std::sqrt(square);
   } else {

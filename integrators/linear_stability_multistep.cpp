@@ -11,8 +11,6 @@ namespace odemark::detail {
 
 namespace {
 
-constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
-
 struct ComplexPolynomial {
   RealPolynomial re, im;
 };
@@ -32,12 +30,6 @@ ComplexPolynomial on_real_line(const std::vector<Coefficient>& p) {
   return sum;
 }
 
-WideComplex at(const std::vector<Coefficient>& p, WideComplex w) {
-  WideComplex sum = 0;
-  for (std::size_t k = p.size(); k-- > 0;) sum = sum * w + p[k];
-  return sum;
-}
-
 /// Where the whole ray has a root on the circle (symmetric methods), stability changes where two of them
 /// meet.
 std::vector<Coefficient> collisions(const Theory& theory, WideComplex direction) {
@@ -49,8 +41,8 @@ std::vector<Coefficient> collisions(const Theory& theory, WideComplex direction)
       if (j + k > 0) bend[j + k - 1] += (Coefficient(j) - Coefficient(k)) * rho[j] * sigma[k];
   std::vector<Coefficient> out;
   for (const auto& w : polynomial_roots(bend)) {
-    if (std::abs(std::abs(w) - 1) > 1e-6L || std::abs(at(sigma, w)) < 1e-9L) continue;
-    const Coefficient r = (at(rho, w) / at(sigma, w) / direction).real();
+    if (std::abs(std::abs(w) - 1) > 1e-6L || std::abs(value_at(sigma, w)) < 1e-9L) continue;
+    const Coefficient r = (value_at(rho, w) / value_at(sigma, w) / direction).real();
     if (r > 1e-9L) out.push_back(r);
   }
   return out;
@@ -66,7 +58,7 @@ class Crossings {
 
   void look_at(WideComplex w) {
     std::vector<WideComplex> in_z;
-    for (const auto& c : chi_) in_z.push_back(at(c, w));
+    for (const auto& c : chi_) in_z.push_back(value_at(c, w));
     for (const WideComplex& z : polynomial_roots(in_z)) {
       const WideComplex along = z / direction_;
       // at w = 1 one z is 0, to rounding: not a crossing
@@ -178,6 +170,12 @@ std::optional<WideComplex> principal_defect(const std::vector<std::vector<Coeffi
 }
 
 }  // namespace
+
+WideComplex value_at(const std::vector<Coefficient>& p, WideComplex z) {
+  WideComplex sum = 0;
+  for (std::size_t k = p.size(); k-- > 0;) sum = sum * z + p[k];
+  return sum;
+}
 
 bool is_multistep(const Theory& theory) { return !theory.rho.empty() || !theory.characteristic.empty(); }
 

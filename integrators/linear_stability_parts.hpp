@@ -10,6 +10,9 @@ RealPolynomial boundary_polynomial(const Theory& theory, WideComplex direction);
 NonNegative stable_along_ray(const Theory& theory, WideComplex direction);
 Coefficient log_amplification(const Theory& theory, WideComplex z);
 
+/// sum_k p_k z^k.
+WideComplex value_at(const std::vector<Coefficient>& p, WideComplex z);
+
 bool is_multistep(const Theory& theory);
 /// The coefficient of z^k w^j is [k][j]: of rho(w) - z sigma(w), or of what a predictor-corrector adds in
 /// z^2.

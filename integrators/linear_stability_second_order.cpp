@@ -63,7 +63,6 @@ WideForm operator*(const WidePolynomial& p, const WideForm& a) { return {p * a.o
 
 StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient stiffness,
                        Coefficient damping) {
-  using What = SecondOrderMove::What;
   const WidePolynomial one{1}, none{0};
   WidePolynomial denominator = one;
   const WideForm start_x{one, none}, start_v{none, one};
@@ -77,12 +76,14 @@ StepMatrix step_matrix(const std::vector<SecondOrderMove>& moves, Coefficient st
     // what was known at the start has to be brought over the denominator of now
     const WideForm old_v = denominator * start_v, old_a = denominator * start_a;
     switch (move.what) {
-      case What::drift: x = x + step * v; break;
-      case What::kick: v = v + step * acceleration(x, v); break;
-      case What::kick_start: v = v + step * old_a; break;
-      case What::kick_old: v = v + step * acceleration(x, old_v); break;
-      case What::kick_predicted: v = v + step * acceleration(x, old_v + WidePolynomial{0, 1} * old_a); break;
-      case What::kick_implicit: {
+      case SecondOrderMove::What::drift: x = x + step * v; break;
+      case SecondOrderMove::What::kick: v = v + step * acceleration(x, v); break;
+      case SecondOrderMove::What::kick_start: v = v + step * old_a; break;
+      case SecondOrderMove::What::kick_old: v = v + step * acceleration(x, old_v); break;
+      case SecondOrderMove::What::kick_predicted:
+        v = v + step * acceleration(x, old_v + WidePolynomial{0, 1} * old_a);
+        break;
+      case SecondOrderMove::What::kick_implicit: {
         const WidePolynomial divisor{1, move.weight * damping};
         v = v + step * (WidePolynomial{-stiffness} * x);
         x = divisor * x;

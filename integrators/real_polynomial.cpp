@@ -9,14 +9,11 @@ namespace odemark {
 
 namespace {
 
-constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
-constexpr Coefficient unit = std::numeric_limits<Coefficient>::epsilon();
-
 /// -1, 0 or 1; 0 where the value drowns in the rounding of its own evaluation.
 int sign_at(const std::vector<Coefficient>& p, Coefficient x) {
   Coefficient sum = 0, size = 0;
   for (std::size_t k = p.size(); k-- > 0;) sum = sum * x + p[k], size = size * x + std::abs(p[k]);
-  if (std::abs(sum) <= 4 * Coefficient(p.size()) * unit * size) return 0;
+  if (std::abs(sum) <= 4 * Coefficient(p.size()) * spacing * size) return 0;
   return sum > 0 ? 1 : -1;
 }
 

@@ -1,12 +1,16 @@
 // Real polynomials that know how far their coefficients can be trusted, and where they are not negative.
 #pragma once
 
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "integrators/stepper.hpp"
 
 namespace odemark {
+
+inline constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
+inline constexpr Coefficient spacing = std::numeric_limits<Coefficient>::epsilon();  // of numbers above 1
 
 /// Disjoint closed intervals of [0, infinity], ascending, none of length 0.
 using Intervals = std::vector<std::pair<Coefficient, Coefficient>>;

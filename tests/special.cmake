@@ -23,7 +23,7 @@ if(NOT ODEMARK_NATIVE)
     set(other ${CMAKE_CURRENT_BINARY_DIR}/final_bits_other)
     list(TRANSFORM bits_sources REPLACE "^support" "${CMAKE_CURRENT_SOURCE_DIR}/support" OUTPUT_VARIABLE other_sources)
     add_custom_command(OUTPUT ${other} DEPENDS ${bits_sources} final_bits_o0  # its headers too
-      COMMAND ${ODEMARK_OTHER_COMPILER} -std=c++20 -O2 -ffp-contract=off -DEIGEN_FAST_MATH=0 -DNDEBUG -DFMT_HEADER_ONLY
+      COMMAND ${ODEMARK_OTHER_COMPILER} -std=c++20 -O1 -ffp-contract=off -DEIGEN_FAST_MATH=0 -DNDEBUG -DFMT_HEADER_ONLY
         -I${PROJECT_SOURCE_DIR} "-isystem;$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,;-isystem;>"
         ${other_sources} -o ${other} COMMAND_EXPAND_LISTS VERBATIM)
     add_custom_target(final_bits_other_compiler ALL DEPENDS ${other})
