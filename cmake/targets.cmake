@@ -44,10 +44,18 @@ list(REMOVE_ITEM integrators_sources ${once_per_method})
 odemark_library(integrators SOURCES ${integrators_sources} ${ODEMARK_METHOD_UNITS} LIGHT ${once_per_method} LINK Eigen3::Eigen
   PRECOMPILE ${ODEMARK_COMMON_HEADERS} <complex>)
 target_link_libraries(odemark_integrators PRIVATE $<BUILD_INTERFACE:Boost::headers>)
+set_target_properties(odemark_integrators_light PROPERTIES UNITY_BUILD OFF)  # what they instantiate is mostly their own
 
 # what every unit of a method parses: two thirds of the time of a small one
 odemark_precompile(odemark_integrators <algorithm> <array> <cmath> <complex> <functional> <limits> <string> <string_view>
   <tuple> <variant> <vector> ${PROJECT_SOURCE_DIR}/integrators/erase_method.hpp)
+
+# the limits that -O2 sets to inlining: the same times (176 pairs of a method and a problem, median ratio 1.001, worst 1.06)
+# for 7 % less compiling
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set_source_files_properties(${ODEMARK_METHOD_UNITS} PROPERTIES COMPILE_OPTIONS
+    "--param=max-inline-insns-auto=15;--param=max-inline-insns-single=70;--param=early-inlining-insns=6;--param=inline-min-speedup=30")
+endif()
 
 # problems/ is headers only: mathematics without integrators
 add_library(odemark_problems INTERFACE)

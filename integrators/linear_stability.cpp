@@ -31,7 +31,7 @@ StabilityLimit judge(const Intervals& stable, std::vector<Coefficient> touches) 
   if (stable.empty() || stable.front().first > 0) {
     out.verdict = Stability::unstable;
   } else {
-    out.verdict = stable.front().second == infinity ? Stability::unlimited : Stability::limit;
+    out.verdict = stable.front().second == detail::infinity ? Stability::unlimited : Stability::limit;
     out.limit = stable.front().second;
     ++rest;
   }
@@ -61,7 +61,7 @@ StabilityLimit stability_limit(const Theory& theory, const LinearProblem& proble
   if (!theory.blank_reason.empty()) return unknown(std::string(theory.blank_reason));
   if (problem.grows()) return unknown("the problem itself grows");
   if (problem.fastest_rate == 0) return unknown("nothing in this problem happens at a rate of its own");
-  Intervals stable{{0, infinity}};
+  Intervals stable{{0, detail::infinity}};
   std::vector<Coefficient> touches;
   const auto require = [&](NonNegative found, Coefficient rate) {
     for (auto& [low, high] : found.where) low /= rate, high /= rate;
@@ -96,7 +96,7 @@ Coefficient growth_per_step(const Theory& theory, const LinearProblem& problem, 
   if (second_order && problem.second_order && !damped)
     return detail::second_order_log_radius(theory, problem.stiffness, problem.damping, dt);
   if (second_order || !theory.blank_reason.empty()) return std::numeric_limits<Coefficient>::quiet_NaN();
-  Coefficient largest = -infinity;
+  Coefficient largest = -detail::infinity;
   for (const auto& l : problem.eigenvalues) {
     const WideComplex z = l * dt;
     largest = std::max(largest, l == WideComplex(0) ? 0

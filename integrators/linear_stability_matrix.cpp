@@ -51,7 +51,7 @@ std::vector<Coefficient> second_order_matrix(const Theory& theory, Coefficient s
 bool conserves_area(const Theory& theory) {
   for (const Coefficient h : {0.125L, 0.5L, 1.0L, 1.75L}) {
     const auto m = second_order_matrix(theory, 1, 0, h);
-    if (m.size() != 4 || !(std::abs(m[0] * m[3] - m[1] * m[2] - 1) < 32 * spacing)) return false;
+    if (m.size() != 4 || !(std::abs(m[0] * m[3] - m[1] * m[2] - 1) < 32 * detail::spacing)) return false;
   }
   return true;
 }
@@ -88,7 +88,7 @@ Coefficient matrix_log_radius(const std::vector<Coefficient>& m) {
     // from half the trace and the determinant, so that a pair that meets on the circle costs no digits
     const Coefficient half = (m[0] + m[3]) / 2, determinant = m[0] * m[3] - m[1] * m[2];
     const Coefficient apart = (m[0] - m[3]) / 2, square = apart * apart + m[1] * m[2];
-    if (square <= 4 * spacing * (apart * apart + std::abs(m[1] * m[2])))
+    if (square <= 4 * detail::spacing * (apart * apart + std::abs(m[1] * m[2])))
       return std::log(std::abs(determinant)) / 2;
     largest = std::abs(half) + std::sqrt(square);
   } else {
@@ -126,7 +126,7 @@ NonNegative function_stable(const SecondOrderStep& step, Coefficient stiffness, 
   NonNegative out;
   for (std::size_t i = 0; i <= edges.size(); i += 2) {
     if (i == 0 && weak) continue;
-    out.where.emplace_back(i == 0 ? 0 : edges[i - 1], i < edges.size() ? edges[i] : infinity);
+    out.where.emplace_back(i == 0 ? 0 : edges[i - 1], i < edges.size() ? edges[i] : detail::infinity);
   }
   return out;
 }

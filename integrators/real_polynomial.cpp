@@ -13,7 +13,7 @@ namespace {
 int sign_at(const std::vector<Coefficient>& p, Coefficient x) {
   Coefficient sum = 0, size = 0;
   for (std::size_t k = p.size(); k-- > 0;) sum = sum * x + p[k], size = size * x + std::abs(p[k]);
-  if (std::abs(sum) <= 4 * Coefficient(p.size()) * spacing * size) return 0;
+  if (std::abs(sum) <= 4 * Coefficient(p.size()) * detail::spacing * size) return 0;
   return sum > 0 ? 1 : -1;
 }
 
@@ -128,7 +128,7 @@ std::vector<Coefficient> positive_roots(const RealPolynomial& p) {
 NonNegative where_not_negative(const RealPolynomial& p) {
   NonNegative out;
   if (p.is_zero()) {
-    out.where = {{0, infinity}};
+    out.where = {{0, detail::infinity}};
     return out;
   }
   auto edges = positive_roots(p);
@@ -137,7 +137,7 @@ NonNegative where_not_negative(const RealPolynomial& p) {
     const bool last = i + 1 == edges.size();
     const Coefficient middle = last ? 2 * edges[i] + 1 : (edges[i] + edges[i + 1]) / 2;
     if (!(p(middle) >= 0)) continue;
-    const Coefficient end = last ? infinity : edges[i + 1];
+    const Coefficient end = last ? detail::infinity : edges[i + 1];
     if (!out.where.empty() && out.where.back().second == edges[i]) {
       out.touches.push_back(edges[i]);
       out.where.back().second = end;

@@ -9,8 +9,10 @@
 
 namespace odemark {
 
+namespace detail {
 inline constexpr Coefficient infinity = std::numeric_limits<Coefficient>::infinity();
 inline constexpr Coefficient spacing = std::numeric_limits<Coefficient>::epsilon();  // of numbers above 1
+}  // namespace detail
 
 /// Disjoint closed intervals of [0, infinity], ascending, none of length 0.
 using Intervals = std::vector<std::pair<Coefficient, Coefficient>>;

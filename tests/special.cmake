@@ -3,12 +3,15 @@
 # equal bits across -O levels and compilers: the library as it is built, the same runs compiled without optimisation, and by
 # the other compiler, where there is one, at the level in between
 if(NOT ODEMARK_NATIVE)
-  set(bits_sources support/final_bits.cpp ${PROJECT_SOURCE_DIR}/integrators/shifted_lu.cpp
-    ${PROJECT_SOURCE_DIR}/integrators/stage_modes.cpp)
+  set(bits ${CMAKE_CURRENT_BINARY_DIR}/final_bits.cpp)
+  odemark_write(${bits} "#include \"tests/support/final_bits.cpp\"
+#include \"integrators/shifted_lu.cpp\"
+#include \"integrators/stage_modes.cpp\"
+")
   add_executable(final_bits_of_library support/final_bits_of_library.cpp)
   odemark_compile_test(final_bits_of_library)
   target_link_libraries(final_bits_of_library PRIVATE odemark::bench odemark_warnings)
-  add_executable(final_bits_o0 ${bits_sources})
+  add_executable(final_bits_o0 ${bits})
   target_link_libraries(final_bits_o0 PRIVATE odemark::numbers odemark_warnings Eigen3::Eigen)
   target_include_directories(final_bits_o0 PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(final_bits_o0 PRIVATE -O0)
@@ -21,11 +24,10 @@ if(NOT ODEMARK_NATIVE)
   endif()
   if(ODEMARK_OTHER_COMPILER)
     set(other ${CMAKE_CURRENT_BINARY_DIR}/final_bits_other)
-    list(TRANSFORM bits_sources REPLACE "^support" "${CMAKE_CURRENT_SOURCE_DIR}/support" OUTPUT_VARIABLE other_sources)
-    add_custom_command(OUTPUT ${other} DEPENDS ${bits_sources} final_bits_o0  # its headers too
+    add_custom_command(OUTPUT ${other} DEPENDS ${bits} DEPFILE ${other}.d
       COMMAND ${ODEMARK_OTHER_COMPILER} -std=c++20 -O1 -ffp-contract=off -DEIGEN_FAST_MATH=0 -DNDEBUG -DFMT_HEADER_ONLY
         -I${PROJECT_SOURCE_DIR} "-isystem;$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,;-isystem;>"
-        ${other_sources} -o ${other} COMMAND_EXPAND_LISTS VERBATIM)
+        -MD -MF ${other}.d ${bits} -o ${other} COMMAND_EXPAND_LISTS VERBATIM)
     add_custom_target(final_bits_other_compiler ALL DEPENDS ${other})
     list(APPEND bits_programs ${other})
   endif()
