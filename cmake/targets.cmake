@@ -50,13 +50,6 @@ set_target_properties(odemark_integrators_light PROPERTIES UNITY_BUILD OFF)  # w
 odemark_precompile(odemark_integrators <algorithm> <array> <cmath> <complex> <functional> <limits> <string> <string_view>
   <tuple> <variant> <vector> ${PROJECT_SOURCE_DIR}/integrators/erase_method.hpp)
 
-# the limits that -O2 sets to inlining: the same times (176 pairs of a method and a problem, median ratio 1.001, worst 1.06)
-# for 7 % less compiling
-if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set_source_files_properties(${ODEMARK_METHOD_UNITS} PROPERTIES COMPILE_OPTIONS
-    "--param=max-inline-insns-auto=15;--param=max-inline-insns-single=70;--param=early-inlining-insns=6;--param=inline-min-speedup=30")
-endif()
-
 # problems/ is headers only: mathematics without integrators
 add_library(odemark_problems INTERFACE)
 add_library(odemark::problems ALIAS odemark_problems)
