@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,13 +14,15 @@
 
 namespace odemark {
 
-/// FNV-1a over the value bytes; padding of long double is left out.
+/// FNV-1a over the value bytes; padding of long double is left out. Every NaN is the same: which of two NaNs
+/// a sum hands on, and so its sign, is the compiler's choice.
 template <class T>
 std::string hash_bits(const std::vector<T>& y) {
   constexpr std::size_t used =
       sizeof(T) == 16 ? 10 : sizeof(T);  // x87 extended: 10 bytes of value, 6 of padding
   std::uint64_t hash = 14695981039346656037u;
-  for (const T& value : y) {
+  for (const T& x : y) {
+    const T value = std::isnan(x) ? std::numeric_limits<T>::quiet_NaN() : x;
     const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
     for (std::size_t i = 0; i < used; ++i) hash = (hash ^ bytes[i]) * 1099511628211u;
   }

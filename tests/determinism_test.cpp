@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "bench/json_line.hpp"
@@ -78,12 +79,15 @@ TEST(Determinism, WatchingARunDoesNotChangeIt) {
   }
 }
 
-TEST(Determinism, TheHashSeesEveryBit) {
+TEST(Determinism, TheHashSeesEveryBitOfANumber) {
   const std::vector<double> y{1, 2};
   EXPECT_EQ(hash_bits(y), hash_bits(std::vector<double>{1, 2}));
   EXPECT_NE(hash_bits(y), hash_bits(std::vector<double>{2, 1}));
   EXPECT_NE(hash_bits(y), hash_bits(std::vector<double>{1, std::nextafter(2.0, 3.0)}));
   EXPECT_NE(hash_bits(std::vector<double>{0.0}), hash_bits(std::vector<double>{-0.0}));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(hash_bits(std::vector<double>{nan}), hash_bits(std::vector<double>{-nan}));
+  EXPECT_NE(hash_bits(std::vector<double>{nan}), hash_bits(std::vector<double>{INFINITY}));
   EXPECT_EQ(hash_bits(std::vector<double>{}), "cbf29ce484222325");
   EXPECT_EQ(hash_bits(y).size(), 16u);
 }
