@@ -8,9 +8,12 @@ option(ODEMARK_PCH "Precompile the headers that most files share" ON)
 option(ODEMARK_UNITY "Compile files that gain nothing from -O3 sixteen at a time: OFF rebuilds less after an edit" ON)
 option(ODEMARK_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
-# repeated builds in a tenth of the time, where ccache is installed
+# Repeated builds in a tenth of the time, where ccache is installed. A build folder asks once: ./test.sh after ./run.sh on a new
+# machine installs it, and another launcher would build everything again.
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  find_program(ODEMARK_CCACHE ccache)
+  if(NOT DEFINED CACHE{ODEMARK_CCACHE})
+    find_program(ODEMARK_CCACHE ccache)
+  endif()
   if(ODEMARK_CCACHE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${ODEMARK_CCACHE})
   endif()
