@@ -98,7 +98,7 @@ set(methods_groups)
 foreach(file ${files})
   set(kind ${kind_of_${file}})
   list(LENGTH files_of_${kind} count)
-  if(count LESS 4)  # kinds of one or two methods share
+  if(count LESS 4)  # kinds of few methods share
     odemark_group(part 2 ${file})
     set(group others_${part})
   else()
